@@ -1,0 +1,51 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_LIGGGHTSPLUGIN_H
+#define GRAINJET_LIGGGHTSPLUGIN_H
+
+/* What a plugin file tells the `plugin` command of LIGGGHTS.
+
+   A plugin is a shared library with one entry point, `liggghtsplugin_init`,
+   that returns a description of the styles it brings. It is plain data: nothing
+   happens at load time except that the loader enters the creators into the
+   style maps of LIGGGHTS. The style itself is two ordinary files with the usual
+   FixStyle block and knows nothing of this header.                          */
+
+extern "C" {
+
+// kind: "fix" (creator is a LAMMPS_NS::FixCreator) or
+//       "command" (creator is a LAMMPS_NS::Input::CommandCreator)
+struct liggghtsplugin_style {
+  const char *kind;
+  const char *name;      // as written in an input script
+  const char *info;      // one line for `plugin list`
+  const char *author;
+  void (*creator)();     // cast back by the loader according to kind
+};
+
+// host: version stamp of the LIGGGHTS the plugin was compiled for; a plugin
+//       compiled for another host is refused, since C++ class layouts differ
+struct liggghtsplugin_description {
+  const char *host;
+  int nstyles;
+  const liggghtsplugin_style *styles;
+};
+
+// the one symbol that a plugin file exports
+const liggghtsplugin_description *liggghtsplugin_init();
+
+typedef const liggghtsplugin_description *(*liggghtsplugin_initfunc)();
+
+}
+
+// Stamp given on the compiler's command line by the build (see
+// liggghts-plugins/CMakeLists.txt), the same for loader and plugins.
+#ifndef LIGGGHTSPLUGIN_HOST
+#error "LIGGGHTSPLUGIN_HOST must name the version of LIGGGHTS compiled for"
+#endif
+
+#endif

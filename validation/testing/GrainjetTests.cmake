@@ -1,0 +1,45 @@
+# Tests are found by themselves: drop a file into the folder `tests` of what it tests.
+#   <part>/tests/test_*.cpp   GoogleTest without any host (the headers of physics/)
+#   <part>/tests/case_*.py    a case-level test (Python unittest) that drives the real programs
+# A case-level test may state in a comment how many of the machine's processors it occupies:
+#   # processors: 2
+
+find_package(GTest REQUIRED)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+function(grainjet_find_tests)
+  foreach(folder ${ARGN})
+    file(GLOB_RECURSE units CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/test_*.cpp)
+    foreach(source ${units})
+      get_filename_component(name ${source} NAME_WE)
+      get_filename_component(part ${source} DIRECTORY)
+      get_filename_component(part ${part} DIRECTORY)
+      get_filename_component(part ${part} NAME)
+      set(target ${part}_${name})
+      add_executable(${target} ${source})
+      target_compile_options(${target} PRIVATE -Wall)
+      target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/liggghts-plugins)
+      target_link_libraries(${target} PRIVATE GTest::gtest_main)
+      add_test(NAME ${part}.${name} COMMAND ${target})
+    endforeach()
+
+    file(GLOB_RECURSE casetests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/case_*.py)
+    foreach(script ${casetests})
+      get_filename_component(name ${script} NAME_WE)
+      get_filename_component(part ${script} DIRECTORY)
+      get_filename_component(part ${part} DIRECTORY)
+      get_filename_component(part ${part} NAME)
+      set(test ${part}.${name})
+      add_test(NAME ${test} COMMAND ${Python3_EXECUTABLE} ${script} -v)
+      set(path ${CMAKE_SOURCE_DIR}/validation/testing)
+      file(STRINGS ${script} line REGEX "^# processors: [0-9]+" LIMIT_COUNT 1)
+      string(REGEX MATCH "[0-9]+" processors "${line}")
+      if(NOT processors)
+        set(processors 1)
+      endif()
+      set_tests_properties(${test} PROPERTIES
+        ENVIRONMENT "PYTHONPATH=${path};PYTHONDONTWRITEBYTECODE=1"
+        PROCESSORS ${processors} TIMEOUT 900)
+    endforeach()
+  endforeach()
+endfunction()
