@@ -1,0 +1,80 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_DRAG_LAWS_H
+#define GRAINJET_DRAG_LAWS_H
+
+#include "beetstra.h"
+#include "di_felice.h"
+#include "drag_state.h"
+#include "ergun.h"
+#include "gidaspow.h"
+#include "koch_hill.h"
+#include "schiller_naumann.h"
+#include "stokes.h"
+#include "wen_yu.h"
+
+#include <cstddef>
+#include <string>
+
+namespace grainjet {
+namespace drag {
+
+/* All drag laws with the names by which users select them: as written in an input script
+   of LIGGGHTS and as written in a dictionary of OpenFOAM. A new law is one header beside
+   this one and one line here.                                                        */
+struct NamedLaw {
+  const char *script;      // gidaspow
+  const char *dictionary;  // Gidaspow
+  Law law;
+};
+
+// the spelling to look up or to list
+typedef const char *NamedLaw::*Spelling;
+
+struct NamedLaws {
+  const NamedLaw *laws;
+  std::size_t size;
+  const NamedLaw *begin() const { return laws; }
+  const NamedLaw *end() const { return laws + size; }
+};
+
+inline NamedLaws namedLaws()
+{
+  static const NamedLaw laws[] = {
+    {"gidaspow", "Gidaspow", gidaspow},
+    {"wenYu", "WenYu", wenYu},
+    {"ergun", "Ergun", ergun},
+    {"schillerNaumann", "SchillerNaumann", schillerNaumann},
+    {"stokes", "Stokes", stokes},
+    {"diFelice", "DiFelice", diFelice},
+    {"kochHill", "KochHill", kochHill},
+    {"beetstra", "Beetstra", beetstra}
+  };
+  return {laws, sizeof(laws) / sizeof(laws[0])};
+}
+
+// The law of that name, or nullptr.  findLaw("Gidaspow", &NamedLaw::dictionary)
+inline Law findLaw(const std::string &name, Spelling spelling)
+{
+  for (const NamedLaw &entry : namedLaws())
+    if (name == entry.*spelling) return entry.law;
+  return nullptr;
+}
+
+// "gidaspow, wenYu, ..." for messages and help
+inline std::string lawNames(Spelling spelling)
+{
+  std::string names;
+  for (const NamedLaw &entry : namedLaws())
+    names += (names.empty() ? "" : ", ") + std::string(entry.*spelling);
+  return names;
+}
+
+}
+}
+
+#endif
