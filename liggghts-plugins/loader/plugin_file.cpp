@@ -1,0 +1,169 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "loader/plugin_file.h"
+
+#include "loader/style_maps.h"
+
+#include "lammps.h"
+#include "comm.h"
+#include "error.h"
+
+#include <dlfcn.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sstream>
+#include <utility>
+#include <vector>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+typedef std::vector<std::pair<std::string, std::string>> Places;   // folder, what it is
+
+std::string absolute(const std::string &path)
+{
+  char *real = realpath(path.c_str(), NULL);
+  if (!real) return path;
+  const std::string result = real;
+  free(real);
+  return result;
+}
+
+bool is_file(const std::string &path)
+{
+  struct stat info;
+  return stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode);
+}
+
+// folder of the library this very function lies in
+std::string loader_folder()
+{
+  Dl_info info;
+  if (!dladdr(reinterpret_cast<void *>(&loader_folder), &info) || !info.dli_fname) return "";
+  const std::string file = absolute(info.dli_fname);
+  return file.substr(0, file.rfind('/'));
+}
+
+Places search_places()
+{
+  Places places;
+  places.emplace_back(absolute("."), "working folder");
+  const char *variable = getenv("LIGGGHTS_PLUGIN_PATH");
+  std::istringstream list(variable ? variable : "");
+  for (std::string folder; std::getline(list, folder, ':');)
+    if (!folder.empty()) places.emplace_back(folder, "LIGGGHTS_PLUGIN_PATH");
+  places.emplace_back(loader_folder(), "beside the loader");
+  return places;
+}
+
+// path of the file, or empty and why there is none
+std::string search(const std::string &name, std::string &why)
+{
+  if (name.find('/') != std::string::npos) {
+    if (is_file(name)) return absolute(name);
+    why = "there is no file '" + name + "' (working folder: " + absolute(".") +
+      "). Check the path, or give only the file name to have it searched for";
+    return "";
+  }
+
+  const Places places = search_places();
+  for (const auto &place : places)
+    if (is_file(place.first + "/" + name)) return absolute(place.first + "/" + name);
+
+  why = "there is no file '" + name + "' in";
+  for (const auto &place : places) why += " " + place.first + " (" + place.second + "),";
+  why.back() = '.';
+  why += " Check the name, or add the folder of the file to LIGGGHTS_PLUGIN_PATH";
+  return "";
+}
+
+// description of the plugin, or NULL and why it was refused
+const liggghtsplugin_description *examine(const std::string &path, const std::string &host, std::string &why)
+{
+  // lazily at first: a plugin for another host may need functions that are missing
+  // here, and its stamp explains that better than the name of a symbol
+  void *file = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (!file) {
+    const char *reason = dlerror();
+    why = "'" + path + "' cannot be loaded: " + (reason ? reason : "no reason given") +
+      ". It must be a plugin library compiled on this kind of machine for this LIGGGHTS, "
+      "and the libraries it needs must be found through LD_LIBRARY_PATH";
+    return NULL;
+  }
+
+  const auto init = reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"));
+  const liggghtsplugin_description *description = init ? init() : NULL;
+  if (!description || !description->host) {
+    why = "'" + path + "' is a library but not a LIGGGHTS plugin (it has no working entry point "
+      "liggghtsplugin_init). Is this the file you meant?";
+  } else if (host != description->host) {
+    why = "'" + path + "' was built for " + description->host + ", but this is " + host +
+      ". Build it again for this LIGGGHTS";
+  } else {
+    dlclose(file);
+    file = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (file) return reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"))();
+    const char *reason = dlerror();
+    why = "'" + path + "' does not fit this LIGGGHTS: " + (reason ? reason : "no reason given") +
+      ". Build it again for this LIGGGHTS";
+    return NULL;
+  }
+  dlclose(file);
+  return NULL;
+}
+
+// the same string on all ranks of the world: that of the given rank
+void broadcast(LAMMPS *lmp, std::string &text, int from)
+{
+  int length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, from, lmp->world);
+  text.resize(length);
+  if (length) MPI_Bcast(&text[0], length, MPI_CHAR, from, lmp->world);
+}
+
+// end on all ranks if one has something to complain of; the lowest such rank is heard
+void agree(LAMMPS *lmp, std::string why)
+{
+  int me, nprocs;
+  MPI_Comm_rank(lmp->world, &me);
+  MPI_Comm_size(lmp->world, &nprocs);
+  const int complains = why.empty() ? nprocs : me;
+  int first;
+  MPI_Allreduce(&complains, &first, 1, MPI_INT, MPI_MIN, lmp->world);
+  if (first == nprocs) return;
+  if (nprocs > 1) why += " (on rank " + std::to_string(me) + ")";
+  broadcast(lmp, why, first);
+  lmp->error->all(FLERR, ("plugin load: " + why).c_str());
+}
+
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::plugin_file::find(LAMMPS *lmp, const std::string &name)
+{
+  std::string path, why;
+  if (lmp->comm->me == 0) path = search(name, why);
+  broadcast(lmp, why, 0);
+  if (!why.empty()) lmp->error->all(FLERR, ("plugin load: " + why).c_str());
+  broadcast(lmp, path, 0);
+  return path;
+}
+
+/* ---------------------------------------------------------------------- */
+
+const liggghtsplugin_description *grainjet::plugin_file::open(LAMMPS *lmp, const std::string &path)
+{
+  std::string why;
+  const liggghtsplugin_description *description = examine(path, style_maps::host(lmp), why);
+  agree(lmp, why);
+  return description;
+}

@@ -1,0 +1,37 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+/* Only in the library for the stock program, which the launcher preloads: takes this
+   library out of LD_PRELOAD as soon as it is loaded, so that programs started by
+   LIGGGHTS (`shell`, gzip for dumps, helpers of MPI) run without it.             */
+
+#include <dlfcn.h>
+#include <stdlib.h>
+
+#include <string>
+
+namespace {
+
+__attribute__((constructor)) void leave_ld_preload()
+{
+  const char *variable = getenv("LD_PRELOAD");
+  Dl_info info;
+  if (!variable || !dladdr(reinterpret_cast<void *>(&leave_ld_preload), &info)) return;
+
+  const std::string self = info.dli_fname;
+  const std::string list = variable;
+  std::string rest;
+  for (size_t begin = 0; begin < list.size();) {
+    const size_t end = std::min(list.find_first_of(" :", begin), list.size());
+    const std::string entry = list.substr(begin, end - begin);
+    if (!entry.empty() && entry != self) rest += (rest.empty() ? "" : ":") + entry;
+    begin = end + 1;
+  }
+  if (rest.empty()) unsetenv("LD_PRELOAD");
+  else setenv("LD_PRELOAD", rest.c_str(), 1);
+}
+
+}
