@@ -17,8 +17,8 @@
 #include "loader/plugin_loader.h"
 #include "loader/style_maps.h"
 
-#include "lammps.h"
-#include "error.h"
+#include <liggghts/lammps.h>
+#include <liggghts/error.h>
 
 #include <dlfcn.h>
 #include <stdio.h>

@@ -8,8 +8,8 @@
 
 #include "loader/plugin_loader.h"
 
-#include "lammps.h"
-#include "error.h"
+#include <liggghts/lammps.h>
+#include <liggghts/error.h>
 
 #include <string>
 

@@ -8,9 +8,9 @@
 
 #include "loader/style_maps.h"
 
-#include "lammps.h"
-#include "comm.h"
-#include "error.h"
+#include <liggghts/lammps.h>
+#include <liggghts/comm.h>
+#include <liggghts/error.h>
 
 #include <dlfcn.h>
 #include <limits.h>
@@ -28,8 +28,16 @@ namespace {
 
 typedef std::vector<std::pair<std::string, std::string>> Places;   // folder, what it is
 
+void add(Places &places, const std::string &folder, const char *what)
+{
+  for (const auto &place : places)
+    if (place.first == folder) return;
+  if (!folder.empty()) places.emplace_back(folder, what);
+}
+
 std::string absolute(const std::string &path)
 {
+  if (path.empty()) return path;
   char *real = realpath(path.c_str(), NULL);
   if (!real) return path;
   const std::string result = real;
@@ -55,12 +63,12 @@ std::string loader_folder()
 Places search_places()
 {
   Places places;
-  places.emplace_back(absolute("."), "working folder");
+  add(places, absolute("."), "working folder");
   const char *variable = getenv("LIGGGHTS_PLUGIN_PATH");
   std::istringstream list(variable ? variable : "");
   for (std::string folder; std::getline(list, folder, ':');)
-    if (!folder.empty()) places.emplace_back(folder, "LIGGGHTS_PLUGIN_PATH");
-  places.emplace_back(loader_folder(), "beside the loader");
+    add(places, absolute(folder), "LIGGGHTS_PLUGIN_PATH");
+  add(places, loader_folder(), "beside the loader");
   return places;
 }
 

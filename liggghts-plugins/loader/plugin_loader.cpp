@@ -9,9 +9,9 @@
 #include "loader/plugin_file.h"
 #include "loader/style_maps.h"
 
-#include "lammps.h"
-#include "comm.h"
-#include "error.h"
+#include <liggghts/lammps.h>
+#include <liggghts/comm.h>
+#include <liggghts/error.h>
 
 #include <stdio.h>
 

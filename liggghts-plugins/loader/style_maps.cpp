@@ -6,11 +6,11 @@
 
 #include "loader/style_maps.h"
 
-#include "lammps.h"
-#include "fix.h"
-#include "input.h"
-#include "modify.h"
-#include "universe.h"
+#include <liggghts/lammps.h>
+#include <liggghts/fix.h>
+#include <liggghts/input.h>
+#include <liggghts/modify.h>
+#include <liggghts/universe.h>
 
 #include <cstring>
 #include <map>
