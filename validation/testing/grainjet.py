@@ -48,7 +48,7 @@ class Run:
 def run(command, folder, timeout=600, env=None):
     """Run a command in a folder; a hang is a failure, with what had been printed."""
     process = subprocess.Popen(
-        [str(c) for c in command], cwd=folder, env={**ENV, **(env or {})},
+        [str(c) for c in command], cwd=folder, env={**ENV, "PWD": str(folder), **(env or {})},
         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         start_new_session=True)
     try:
