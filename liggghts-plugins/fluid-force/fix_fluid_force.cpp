@@ -1,0 +1,437 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "fix_fluid_force.h"
+
+#include "host/fix_arguments.h"
+#include "physics/drag/drag_laws.h"
+#include "physics/drag/exponential_drag.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "math_const.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using grainjet::FixArguments;
+using grainjet::drag::ExponentialDrag;
+using grainjet::drag::NamedLaw;
+
+/* ---------------------------------------------------------------------- */
+
+FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
+  Fix(lmp, narg, arg),
+  coupled_(false), wind_(), fluidDensity_(0.0), viscosity_(0.0), law_(NULL),
+  buoyancy_(false), rotation_(false), gravity_(NULL),
+  fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
+  fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
+  exchange_(), lost_(lmp, groupbit), doorOpen_(false),
+  freshSetup_(false), sumStep_(-1), sums_()
+{
+  parse(narg, arg);
+
+  // the per-grain state has fixed names, so there can be one such fix only
+  const FixArguments arguments(error, narg, arg);
+  for (int ifix = 0; ifix < modify->nfix; ifix++)
+    if (modify->fix[ifix] && strcmp(modify->fix[ifix]->style, style) == 0)
+      arguments.fail(std::string("there is already one with ID ") + modify->fix[ifix]->id
+        + "; let one fix fluid/force act on all grains that feel the fluid");
+  if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
+  if (domain->dimension != 3) arguments.fail("requires a 3d simulation");
+  if (strcmp(update->unit_style, "si") != 0) arguments.fail("requires units si");
+
+  create_attribute = coupled_ ? 1 : 0;
+  time_depend = 1;
+  vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+  extvector = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::parse(int narg, char **arg)
+{
+  FixArguments arguments(error, narg, arg);
+  const std::string kind = arguments.word("style: coupled or uniform");
+  if (kind == "coupled") {
+    coupled_ = true;
+    if (arguments.more())
+      arguments.fail("style coupled takes no keywords, found '" + arguments.word("") + "'");
+    return;
+  }
+  if (kind != "uniform")
+    arguments.fail("unknown style '" + kind + "'; valid styles are coupled, uniform");
+
+  for (int dim = 0; dim < 3; dim++)
+    wind_[dim] = arguments.number("the fluid velocity ux uy uz after 'uniform'");
+
+  std::string law = "gidaspow";
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("keyword");
+    if (keyword == "density") fluidDensity_ = arguments.positive("density");
+    else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity");
+    else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
+    else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
+    else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
+    else
+      arguments.fail("unknown keyword '" + keyword
+        + "'; valid keywords are density, viscosity, drag, buoyancy, rotation");
+  }
+  if (fluidDensity_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
+  if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
+
+  law_ = grainjet::drag::findLaw(law, &NamedLaw::script);
+  if (!law_)
+    arguments.fail("unknown drag law '" + law + "'; valid laws are "
+      + grainjet::drag::lawNames(&NamedLaw::script));
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixFluidForce::setmask()
+{
+  // The force is added in pre_final_integrate, which runs after all fixes' post_force:
+  // so it acts last whatever the order of the fixes in the script.
+  int mask = PRE_INITIAL_INTEGRATE | PRE_FINAL_INTEGRATE;
+  if (coupled_) mask |= PRE_EXCHANGE;
+  return mask;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::post_create()
+{
+  dragCoefficient_ = property("fluidDragCoefficient", 1, "0.");
+  impulse_ = property("fluidImpulse", 3, "0.");
+  fluidForce_ = property("fluidForce", 3, "0.");
+  if (rotation_) fluidTorque_ = property("fluidTorque", 3, "0.");
+  if (coupled_) {
+    fluidVelocity_ = property("fluidVelocity", 3, "0.");
+    explicitForce_ = property("fluidExplicitForce", 3, "0.");
+    host_ = property("fluidHost", 2, "-1.");
+
+    // its initial value is the grain's own position: set_arrays() does that
+    startPosition_ = property("fluidStartPosition", 3, "none");
+    if (!startPosition_->recent_restart)
+      for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+  }
+
+  // What is there has its initial state now. Modify::setup would set it once more and
+  // so wipe out what was written before the first run.
+  just_created = 0;
+}
+
+/* ----------------------------------------------------------------------
+   a stock fix property/atom with restart and without ghosts
+------------------------------------------------------------------------- */
+
+FixPropertyAtom *FixFluidForce::property(const char *name, int size, const char *value)
+{
+  std::vector<const char *> args = {name, "all", "property/atom", name,
+    size == 1 ? "scalar" : "vector", "yes", "no", "no"};
+  args.insert(args.end(), size, value);
+  FixPropertyAtom *fix = modify->add_fix_property_atom(
+    args.size(), const_cast<char **>(args.data()), style);
+  fix->just_created = 0;
+  return fix;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::pre_delete(bool unfixflag)
+{
+  if (!unfixflag) return;
+  for (FixPropertyAtom *fix : {dragCoefficient_, impulse_, fluidForce_, fluidTorque_,
+      fluidVelocity_, explicitForce_, host_, startPosition_})
+    if (fix) modify->delete_fix(fix->id);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::init()
+{
+  if (strstr(update->integrate_style, "respa"))
+    error->all(FLERR, "Fix fluid/force does not work with run_style respa, use verlet");
+
+  if (buoyancy_) {
+    gravity_ = NULL;
+    for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++)
+      gravity_ = dynamic_cast<FixGravity *>(modify->fix[ifix]);
+    if (!gravity_)
+      error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity");
+  }
+  check_other_fixes();
+  if (coupled_) lost_.act_first(modify->find_fix(id));
+}
+
+/* ----------------------------------------------------------------------
+   velocity Verlet must be what moves the grains, since the impulse books its kicks
+------------------------------------------------------------------------- */
+
+void FixFluidForce::check_other_fixes()
+{
+  for (int ifix = 0; ifix < modify->nfix; ifix++) {
+    const Fix *other = modify->fix[ifix];
+    const bool clumps = other->rigid_flag || strncmp(other->style, "multisphere", 11) == 0;
+    const bool frozen = strcmp(other->style, "freeze") == 0;
+    if (!clumps && !frozen) continue;
+
+    int mine = 0, any = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit)) mine = 1;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any) {
+      const std::string text = std::string("Fix fluid/force: its group has grains that fix ")
+        + other->style + " (ID " + other->id + ") holds; give fluid/force a group without them";
+      error->all(FLERR, text.c_str());
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   a new grain starts where it is inserted
+------------------------------------------------------------------------- */
+
+void FixFluidForce::set_arrays(int i)
+{
+  for (int dim = 0; dim < 3; dim++)
+    startPosition_->array_atom[i][dim] = atom->x[i][dim];
+}
+
+/* ----------------------------------------------------------------------
+   Forces of the set-up, for the first half kick and for output at step 0. Fixes that
+   come later in the script have not added theirs yet: see pre_initial_integrate().
+------------------------------------------------------------------------- */
+
+void FixFluidForce::setup(int)
+{
+  apply(0.5 * update->dt, false, false);
+  freshSetup_ = true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::pre_initial_integrate()
+{
+  if (!freshSetup_) return;
+  apply(0.5 * update->dt, true, false);
+  freshSetup_ = false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::pre_final_integrate()
+{
+  apply(update->dt, false, true);
+}
+
+/* ----------------------------------------------------------------------
+   Adds the fluid force to all grains.
+   kick: time over which the integrator applies it; remove: take the previous one off
+   first; book: add the impulse of the half kick before and the half kick to come
+------------------------------------------------------------------------- */
+
+void FixFluidForce::apply(double kick, bool remove, bool book)
+{
+  double **v = atom->v;
+  double **f = atom->f;
+  const double *rmass = atom->rmass;
+  const int *mask = atom->mask;
+  const int nlocal = atom->nlocal;
+  const double half = 0.5 * update->dt;
+
+  double *coefficient = dragCoefficient_->vector_atom;
+  double **applied = fluidForce_->array_atom;
+  double **impulse = impulse_->array_atom;
+  double buoyancy[3] = {0.0, 0.0, 0.0};    // force per volume
+  if (buoyancy_) {
+    gravity_->get_gravity(buoyancy);
+    for (double &b : buoyancy) b *= -fluidDensity_;
+  }
+
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+
+    double given[3], other[3];
+    const double *fluid = wind_;
+    if (coupled_) {
+      fluid = fluidVelocity_->array_atom[i];
+      for (int dim = 0; dim < 3; dim++) given[dim] = explicitForce_->array_atom[i][dim];
+    } else {
+      const double radius = atom->radius[i];
+      const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
+      for (int dim = 0; dim < 3; dim++) given[dim] = volume * buoyancy[dim];
+    }
+    for (int dim = 0; dim < 3; dim++) {
+      if (remove) f[i][dim] -= applied[i][dim];
+      other[dim] = f[i][dim] + given[dim];
+    }
+    if (!coupled_) coefficient[i] = uniform_coefficient(i, other, kick);
+
+    const ExponentialDrag drag(coefficient[i], kick, rmass[i]);
+    for (int dim = 0; dim < 3; dim++) {
+      const double force =
+        given[dim] + drag.slip * (fluid[dim] - v[i][dim]) - drag.other * other[dim];
+      f[i][dim] += force;
+      if (book) impulse[i][dim] += half * (applied[i][dim] + force);
+      applied[i][dim] = force;
+    }
+  }
+  if (rotation_) rotational_drag(kick, remove);
+  sumStep_ = -1;
+}
+
+/* ----------------------------------------------------------------------
+   Drag coefficient (kg/s) of grain i in the uniform flow, by the drag law with the
+   original particle's diameter and the grain's volume. Taken at the mean of the slip
+   before the kick and the slip that a first estimate leaves: second order in time, and
+   for a long time step it converges to the terminal velocity where the slip before
+   the kick alone would make it oscillate.
+------------------------------------------------------------------------- */
+
+double FixFluidForce::uniform_coefficient(int i, const double *other, double kick) const
+{
+  const double radius = atom->radius[i], mass = atom->rmass[i];
+  const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
+  double slip[3];
+  for (int dim = 0; dim < 3; dim++) slip[dim] = wind_[dim] - atom->v[i][dim];
+
+  grainjet::drag::State state;
+  state.voidFraction = 1.0;
+  state.diameter = 2.0 * radius / force->cg(atom->type[i]);
+  state.density = fluidDensity_;
+  state.viscosity = viscosity_;
+  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+
+  const ExponentialDrag drag(law_(state) * volume, kick, mass);
+  for (int dim = 0; dim < 3; dim++)
+    slip[dim] -= 0.5 * kick / mass * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
+  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+  return law_(state) * volume;
+}
+
+/* ----------------------------------------------------------------------
+   Torque on a sphere that spins in a fluid at rest, -pi mu d^3 omega (Stokes; Happel &
+   Brenner 1983, 5-3). A grain's spin decays at the rate of its particles', so that
+   their rotational energies stay equal: -6 mu f_cg^2 V omega for the grain.
+------------------------------------------------------------------------- */
+
+void FixFluidForce::rotational_drag(double kick, bool remove)
+{
+  double **torque = atom->torque;
+  double **applied = fluidTorque_->array_atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double radius = atom->radius[i], cg = force->cg(atom->type[i]);
+    const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
+    const double inertia = 0.4 * atom->rmass[i] * radius * radius;
+    const ExponentialDrag drag(
+      6.0 * fluidDensity_ * viscosity_ * cg * cg * volume, kick, inertia);
+    for (int dim = 0; dim < 3; dim++) {
+      if (remove) torque[i][dim] -= applied[i][dim];
+      applied[i][dim] = -drag.slip * atom->omega[i][dim] - drag.other * torque[i][dim];
+      torque[i][dim] += applied[i][dim];
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::setup_pre_exchange()
+{
+  if (!doorOpen_) return;
+  refresh_exchange();
+  lost_.collect(exchange_, 0.0);
+}
+
+/* ----------------------------------------------------------------------
+   the grains have had the first half kick of this step, which is not booked yet
+------------------------------------------------------------------------- */
+
+void FixFluidForce::pre_exchange()
+{
+  if (!doorOpen_) return;
+  refresh_exchange();
+  lost_.collect(exchange_, 0.5 * update->dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::refresh_exchange()
+{
+  exchange_.fluidVelocity = fluidVelocity_->array_atom;
+  exchange_.dragCoefficient = dragCoefficient_->vector_atom;
+  exchange_.explicitForce = explicitForce_->array_atom;
+  exchange_.impulse = impulse_->array_atom;
+  exchange_.fluidForce = fluidForce_->array_atom;
+  exchange_.startPosition = startPosition_->array_atom;
+  exchange_.host = host_->array_atom;
+  exchange_.nLost = lost_.grains().size();
+  exchange_.lost = lost_.grains().data();
+  exchange_.clearLost = clear_lost;
+  exchange_.fix = this;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::clear_lost(FluidForceExchange *door)
+{
+  static_cast<FixFluidForce *>(door->fix)->lost_.clear();
+  door->nLost = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void *FixFluidForce::extract(const char *what, int &dim)
+{
+  dim = 0;
+  if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
+  doorOpen_ = true;
+  sumStep_ = -1;    // the caller may write
+  refresh_exchange();
+  return &exchange_;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixFluidForce::compute_vector(int n)
+{
+  if (sumStep_ != update->ntimestep) sum();
+  if (n < 3) return sums_[n];
+  return sums_[4] > 0.0 ? sums_[3] / sums_[4] : 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::sum()
+{
+  double mine[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int dim = 0; dim < 3; dim++) mine[dim] += fluidForce_->array_atom[i][dim];
+    if (dragCoefficient_->vector_atom[i] <= 0.0) continue;
+    const double *fluid = coupled_ ? fluidVelocity_->array_atom[i] : wind_;
+    double square = 0.0;
+    for (int dim = 0; dim < 3; dim++)
+      square += (fluid[dim] - atom->v[i][dim]) * (fluid[dim] - atom->v[i][dim]);
+    mine[3] += std::sqrt(square);
+    mine[4] += 1.0;
+  }
+  MPI_Allreduce(mine, sums_, 5, MPI_DOUBLE, MPI_SUM, world);
+  sumStep_ = update->ntimestep;
+}

@@ -1,0 +1,110 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+
+FixStyle(fluid/force,FixFluidForce)
+
+#else
+
+#ifndef LMP_FIX_FLUID_FORCE_H
+#define LMP_FIX_FLUID_FORCE_H
+
+#include "fix.h"
+#include "fluid_force_exchange.h"
+#include "lost_grains.h"
+
+#include "physics/drag/drag_state.h"
+
+namespace LAMMPS_NS {
+
+/* Force of a fluid on the grains: drag that follows the grain's current velocity every
+   DEM step, plus an explicit force. User page: docs/fix_fluid_force.md.
+
+     fix ID group fluid/force coupled
+     fix ID group fluid/force uniform ux uy uz density rho viscosity nu
+         [drag name] [buoyancy yes|no] [rotation yes|no]
+
+   The drag acts last in the step, after all other forces are known, and is integrated
+   exactly over the kick of velocity Verlet (physics/drag/exponential_drag.h). Half-step
+   velocities are exact for constant other forces, whole-step velocities and positions
+   of second order in dt/tau; stable for any drag coefficient.
+
+   Per-grain state lives in stock fix property/atom instances of these names, so that it
+   migrates, is sorted, restarted and dumped (f_fluidForce[1] ...) by LIGGGHTS itself:
+     fluidVelocity[3] fluidDragCoefficient fluidExplicitForce[3] fluidImpulse[3]
+     fluidForce[3] fluidStartPosition[3] fluidHost[2]
+   (uniform has fluidDragCoefficient, fluidImpulse, fluidForce, and with rotation yes
+   fluidTorque[3]). Meaning and units: fluid_force_exchange.h.
+
+   Global vector: 1-3 total fluid force (N), 4 mean slip speed (m/s) of the grains
+   that have a drag coefficient.                                                     */
+class FixFluidForce : public Fix {
+ public:
+
+  FixFluidForce(class LAMMPS *, int, char **);
+
+  int setmask();
+  void post_create();
+  void pre_delete(bool);
+  void init();
+  void setup(int);
+  void setup_pre_exchange();
+  void pre_initial_integrate();
+  void pre_exchange();
+  void pre_final_integrate();
+  void set_arrays(int);
+  double compute_vector(int);
+
+  // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
+  void *extract(const char *, int &);
+
+ private:
+
+  bool coupled_;
+
+  // ---- style uniform
+
+  double wind_[3];                  // m/s
+  double fluidDensity_;             // kg/m3
+  double viscosity_;                // m2/s
+  grainjet::drag::Law law_;
+  bool buoyancy_, rotation_;
+  class FixGravity *gravity_;       // for the buoyancy
+
+  // ---- per-grain state; those of the exchange are NULL in style uniform
+
+  class FixPropertyAtom *fluidVelocity_, *dragCoefficient_, *explicitForce_;
+  class FixPropertyAtom *impulse_, *fluidForce_, *startPosition_, *host_;
+  class FixPropertyAtom *fluidTorque_;    // rotation yes only
+
+  // ---- style coupled
+
+  FluidForceExchange exchange_;
+  LostGrains lost_;
+  bool doorOpen_;                   // a coupling has asked for the exchange: book losses
+
+  bool freshSetup_;                 // forces of the set-up not yet used for a kick
+  bigint sumStep_;                  // step of sums_, -1: none
+  double sums_[5];                  // force, sum of slip speeds, number of those
+
+  void parse(int, char **);
+  class FixPropertyAtom *property(const char *, int, const char *);
+  void check_other_fixes();
+
+  void refresh_exchange();
+  void apply(double kick, bool remove, bool book);
+  double uniform_coefficient(int, const double *other, double kick) const;
+  void rotational_drag(double kick, bool remove);
+  void sum();
+
+  static void clear_lost(FluidForceExchange *);
+};
+
+}
+
+#endif
+#endif

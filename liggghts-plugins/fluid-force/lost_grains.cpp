@@ -1,0 +1,104 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "lost_grains.h"
+
+#include "host/expose_member.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "fix_massflow_mesh.h"
+#include "modify.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+struct PreExchangeList {
+  using type = int *Modify::*;
+  friend type member(PreExchangeList);
+};
+
+struct PreExchangeCount {
+  using type = int Modify::*;
+  friend type member(PreExchangeCount);
+};
+
+struct MarkedTags {
+  using type = std::vector<int> FixMassflowMesh::*;
+  friend type member(MarkedTags);
+};
+
+}
+
+template struct grainjet::Expose<PreExchangeList, &Modify::list_pre_exchange>;
+template struct grainjet::Expose<PreExchangeCount, &Modify::n_pre_exchange>;
+template struct grainjet::Expose<MarkedTags, &FixMassflowMesh::atom_tags_delete_>;
+
+/* ---------------------------------------------------------------------- */
+
+LostGrains::LostGrains(LAMMPS *lmp, int groupbit) : Pointers(lmp), groupbit_(groupbit) {}
+
+/* ---------------------------------------------------------------------- */
+
+void LostGrains::act_first(int ifix)
+{
+  int *first = modify->*member(PreExchangeList());
+  int *last = first + modify->*member(PreExchangeCount());
+  int *own = std::find(first, last, ifix);
+  if (own != last) std::rotate(first, own, own + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool LostGrains::outside(const double *x) const
+{
+  const int FIXED = 1;    // of Domain::boundary; shrink-wrapped faces move instead
+  for (int dim = 0; dim < 3; dim++) {
+    if (domain->boundary[dim][0] == FIXED && x[dim] < domain->boxlo[dim]) return true;
+    if (domain->boundary[dim][1] == FIXED && x[dim] >= domain->boxhi[dim]) return true;
+  }
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LostGrains::collect(const FluidForceExchange &state, double halfKick)
+{
+  for (int ifix = 0; ifix < modify->nfix; ifix++) {
+    FixMassflowMesh *counter = dynamic_cast<FixMassflowMesh *>(modify->fix[ifix]);
+    if (!counter) continue;
+    for (int tag : counter->*member(MarkedTags())) {
+      const int i = atom->map(tag);
+      if (i >= 0 && i < atom->nlocal && !outside(atom->x[i])) record(i, state, halfKick);
+    }
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    if (outside(atom->x[i])) record(i, state, halfKick);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LostGrains::record(int i, const FluidForceExchange &state, double halfKick)
+{
+  if (!(atom->mask[i] & groupbit_)) return;
+
+  FluidForceExchange::Lost grain;
+  grain.tag = atom->tag[i];
+  grain.mass = atom->rmass[i];
+  grain.radius = atom->radius[i];
+  for (int dim = 0; dim < 3; dim++) {
+    grain.position[dim] = atom->x[i][dim];
+    grain.startPosition[dim] = state.startPosition[i][dim];
+    grain.velocity[dim] = atom->v[i][dim];
+    grain.impulse[dim] = state.impulse[i][dim] + halfKick * state.fluidForce[i][dim];
+  }
+  grain.host[0] = state.host[i][0];
+  grain.host[1] = state.host[i][1];
+  grains_.push_back(grain);
+}

@@ -1,0 +1,46 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_EXPONENTIAL_DRAG_H
+#define GRAINJET_EXPONENTIAL_DRAG_H
+
+#include <cmath>
+
+namespace grainjet {
+namespace drag {
+
+/* Exact drag over a kick of length h for
+
+     m dv/dt = b (u - v) + f        b, u and f constant during the kick.
+
+   With x = b h / m and phi1(x) = (1 - exp(-x)) / x the solution is
+
+     v(h) = v exp(-x) + (1 - exp(-x)) u + phi1 h f / m,
+
+   so the mean force of the drag during the kick, which an integrator adds to f, is
+
+     D = b phi1 (u - v) - (1 - phi1) f.
+
+   Stable for any x; for x -> infinity v(h) = u + f / b, the terminal velocity.        */
+struct ExponentialDrag {
+  double slip;    // kg/s, b phi1: multiplies u - v
+  double other;   // -, 1 - phi1: the part of the other force that drag takes up
+
+  ExponentialDrag(double b, double kick, double mass)
+  {
+    const double x = b * kick / mass;
+    if (x < 0.05)    // series of 1 - phi1: the difference itself would lose digits
+      other = x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6 * (1 - x / 7)))));
+    else
+      other = 1.0 + std::expm1(-x) / x;
+    slip = b * (1.0 - other);
+  }
+};
+
+}
+}
+
+#endif
