@@ -1,0 +1,68 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields and grains of an OpenFOAM case as numpy arrays, read by VTK.
+
+The fields must be reconstructed; the case needs an (empty) file ending in `.foam`.
+"""
+
+import json
+import pathlib
+
+import numpy
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+
+def latest_mesh(case):
+    """(time in s, unstructured grid with cell fields) of the latest time of a case."""
+    case = pathlib.Path(case)
+    marker = next(case.glob("*.foam"), None)
+    if marker is None:
+        raise FileNotFoundError(f"{case}: no file ending in .foam; `touch case.foam` makes one")
+    reader = vtk.vtkOpenFOAMReader()
+    reader.SetFileName(str(marker))
+    reader.UpdateInformation()
+    times = vtk_to_numpy(reader.GetTimeValues())
+    reader.SetTimeValue(times[-1])
+    reader.CreateCellToPointOff()
+    reader.Update()
+    return times[-1], reader.GetOutput().GetBlock(0)
+
+
+def axial_slice(grid, field, normal=(0, 1, 0)):
+    """Cut the mesh with the plane through the origin; values are interpolated to the points.
+
+    Returns points (n, 3), triangles (m, 3) and the field at the points."""
+    to_points = vtk.vtkCellDataToPointData()
+    to_points.SetInputData(grid)
+    plane = vtk.vtkPlane()
+    plane.SetNormal(*normal)
+    cutter = vtk.vtkCutter()
+    cutter.SetCutFunction(plane)
+    cutter.SetInputConnection(to_points.GetOutputPort())
+    triangles = vtk.vtkTriangleFilter()
+    triangles.SetInputConnection(cutter.GetOutputPort())
+    triangles.Update()
+    cut = triangles.GetOutput()
+    corners = vtk_to_numpy(cut.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
+    return (vtk_to_numpy(cut.GetPoints().GetData()), corners,
+            vtk_to_numpy(cut.GetPointData().GetArray(field)))
+
+
+def latest_grains(folder):
+    """(time in s, positions (n, 3), fields) of the newest file that a vtkCloud wrote below folder."""
+    series = sorted(pathlib.Path(folder).glob("*.series"))
+    if not series:
+        raise FileNotFoundError(f"{folder}: no grains (*.vtp.series) written there")
+    newest = max(json.loads(series[0].read_text())["files"], key=lambda entry: entry["time"])
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(series[0].parent / newest["name"]))
+    reader.Update()
+    cloud = reader.GetOutput()
+    if not cloud.GetNumberOfPoints():
+        return newest["time"], numpy.empty((0, 3)), {}
+    data = cloud.GetPointData()
+    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
+              for i in range(data.GetNumberOfArrays())}
+    return newest["time"], vtk_to_numpy(cloud.GetPoints().GetData()), fields
