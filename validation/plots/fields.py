@@ -50,19 +50,21 @@ def axial_slice(grid, field, normal=(0, 1, 0)):
             vtk_to_numpy(cut.GetPointData().GetArray(field)))
 
 
-def latest_grains(folder):
-    """(time in s, positions (n, 3), fields) of the newest file that a vtkCloud wrote below folder."""
+def grains_at(folder, time):
+    """(time in s, positions (n, 3), fields) of the grains that a vtkCloud wrote below folder, from
+    the file nearest to a time."""
     series = sorted(pathlib.Path(folder).glob("*.series"))
     if not series:
         raise FileNotFoundError(f"{folder}: no grains (*.vtp.series) written there")
-    newest = max(json.loads(series[0].read_text())["files"], key=lambda entry: entry["time"])
+    files = json.loads(series[0].read_text())["files"]
+    chosen = min(files, key=lambda entry: abs(entry["time"] - time))
     reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(str(series[0].parent / newest["name"]))
+    reader.SetFileName(str(series[0].parent/chosen["name"]))
     reader.Update()
     cloud = reader.GetOutput()
     if not cloud.GetNumberOfPoints():
-        return newest["time"], numpy.empty((0, 3)), {}
+        return chosen["time"], numpy.empty((0, 3)), {}
     data = cloud.GetPointData()
     fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
               for i in range(data.GetNumberOfArrays())}
-    return newest["time"], vtk_to_numpy(cloud.GetPoints().GetData()), fields
+    return chosen["time"], vtk_to_numpy(cloud.GetPoints().GetData()), fields

@@ -32,7 +32,7 @@ def main():
 
     time, grid = fields.latest_mesh(args.case)
     points, triangles, velocity = fields.axial_slice(grid, "U")
-    _, grains, _ = fields.latest_grains(args.case / args.grains)
+    _, grains, _ = fields.grains_at(args.case/args.grains, time)
     D = args.diameter
     shown = grains[abs(grains[:, 1]) < 0.5*args.thickness*D]
 

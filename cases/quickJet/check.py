@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of the main job, and what must hold in its results. Exit code 1 if anything does not.
+
+Reads system/parameters, the profiles, the balance of the coupling and the grains at the start and
+the end of the sampling."""
+
+import math
+import os
+import pathlib
+import re
+import sys
+
+CASE = pathlib.Path(__file__).resolve().parent
+ROOT = pathlib.Path(os.environ.get("GRAINJET_DIR", CASE.parents[1]))
+sys.path.insert(0, str(ROOT/"validation"/"plots"))
+
+import numpy      # noqa: E402
+import fields     # noqa: E402
+import tables     # noqa: E402
+
+
+def parameters():
+    """The plain numbers of system/parameters."""
+    text = (CASE/"system"/"parameters").read_text()
+    return {name: float(value) for name, value in re.findall(r"^(\w+)\s+([-+.\deE]+);", text, re.M)}
+
+
+class Plane:
+    """What one sampling plane saw."""
+
+    def __init__(self, position, path):
+        table, whole = tables.read(path), tables.stated(path)
+        self.position = position
+        self.crossings = whole["whole plane: crossings"]
+        self.particles_per_s = whole["whole plane: number rate"]
+        self.kg_per_s = whole["whole plane: mass rate"]
+
+        # On the axis: the rings nearest to it, up to 0.2 D, joined
+        near = table["r_outer/D"] < 0.2 + 1e-6
+        n = table["crossings"][near]
+        mean, rms = (table[f"flux_weighted_{name}_axial"][near] for name in ("mean", "rms"))
+        self.mean = (n*mean).sum()/max(n.sum(), 1)
+        self.rms = math.sqrt(max((n*(rms**2 + mean**2)).sum()/max(n.sum(), 1) - self.mean**2, 0))
+        self.error = self.rms/math.sqrt(max(n.sum(), 1))
+        areas = (table["r_outer/D"]**2 - table["r_inner/D"]**2)[near]
+        self.axis_flux = (table["number_flux"][near]*areas).sum()/areas.sum()
+
+
+def beyond(grains, balance, plane, diameter):
+    """Grains that have passed a plane by the time of a file of grains: behind it or gone."""
+    time, position, _ = grains
+    row = numpy.argmin(abs(balance["Time"] - time))
+    return (position[:, 2] > plane*diameter).sum() + balance["left"][row]
+
+
+def main():
+    p = parameters()
+    D = p["D"]
+    planes = [Plane(*found) for found in tables.planes(CASE/"postProcessing"/"profiles").items()]
+    balance = tables.read(
+        tables.latest(CASE/"postProcessing"/"liggghtsCoupling")/"balance.dat")
+    start, end = (fields.grains_at(CASE/"postProcessing"/"grains", p[time])
+                  for time in ("sampleStart", "endTime"))
+
+    kg_per_s = p["massLoading"]*p["rhoFluid"]*p["Umean"]*math.pi/4*D**2
+    particles_per_s = kg_per_s/(p["rhoParticle"]*math.pi/6*p["dParticle"]**3)
+    expected = particles_per_s/p["cg"]**3*(p["endTime"] - p["sampleStart"])
+
+    print(f"\nOne grain = {p['cg']**3:g} particles; sampled from {p['sampleStart']:g} s "
+          f"to {p['endTime']:g} s")
+    print("  plane  crossings   axis: mean      rms      number flux    through the plane")
+    print("    z/D     grains          m/s      m/s        1/(m2 s)     / inserted")
+    for plane in planes:
+        print(f"{plane.position:7g} {plane.crossings:10.0f}   {plane.mean:6.2f} +- {plane.error:4.2f}"
+              f"   {plane.rms:6.2f}     {plane.axis_flux:11.3e}         "
+              f"{plane.particles_per_s/particles_per_s:.3f}")
+
+    checks = []
+
+    # Arrivals scatter at most like independent ones: 4 standard errors of a Poisson count
+    tolerance = 4/math.sqrt(expected)
+    for plane in planes:
+        for name, seen, put in (("number", plane.particles_per_s, particles_per_s),
+                                ("mass", plane.kg_per_s, kg_per_s)):
+            checks.append((abs(seen/put - 1) < tolerance,
+                           f"{name} flow through {plane.position:g}D / inserted = {seen/put:.3f} "
+                           f"(1 +- {tolerance:.3f})"))
+
+    # The planes count what the balance and the grains themselves say, but for the grains that
+    # pass in the one step that may or may not belong to the sampling
+    slack = 1 + math.ceil(2*expected*p["fluidStep"]/(p["endTime"] - p["sampleStart"]))
+    for plane in planes:
+        passed = (beyond(end, balance, plane.position, D)
+                  - beyond(start, balance, plane.position, D))
+        checks.append((abs(passed - plane.crossings) <= slack,
+                       f"crossings of {plane.position:g}D: {plane.crossings:.0f}; grains and balance "
+                       f"say {passed:.0f} (+- {slack})"))
+
+    last = {name: values[-1] for name, values in balance.items()}
+    inside = len(end[1])
+    checks.append((last["inserted"] == inside + last["left"],
+                   f"inserted {last['inserted']:.0f} = inside {inside} + left {last['left']:.0f}"))
+    rate = particles_per_s/p["cg"]**3
+    checks.append((abs(last["inserted"] - rate*p["endTime"]) < 0.01*rate*p["endTime"],
+                   f"inserted {last['inserted']:.0f} of {rate*p['endTime']:.0f} grains stated (1 %)"))
+    checks.append((balance["outside"].max() == 0,
+                   f"grains outside the mesh at any step: {balance['outside'].max():.0f}"))
+    checks.append((planes[-1].mean + 3*planes[-1].error < planes[0].mean - 3*planes[0].error,
+                   f"mean velocity on the axis falls from {planes[0].mean:.2f} to "
+                   f"{planes[-1].mean:.2f} m/s"))
+
+    print()
+    for held, text in checks:
+        print(f"  {'holds ' if held else 'FAILED'}  {text}")
+    failed = sum(not held for held, _ in checks)
+    print("All checks hold" if not failed else f"{failed} checks FAILED")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,76 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+"""The main job, shrunk: the same Allrun on a coarser mesh with larger grains, in a copy of the
+folder. What it must leave behind, what must hold in its results, and how it fails."""
+
+import re
+import shutil
+import unittest
+
+import grainjet
+
+QUICK_JET = grainjet.ROOT/"cases"/"quickJet"
+
+# Every length of a cell and the time step twice those of the job, grains twice as large:
+# Courant number and % Rayleigh stay the same
+SHRUNK = {"cg": 4, "fluidStep": 1e-4, "nSide": 4, "nRing": 3, "nAir": 8, "nPipe": 38, "nJet": 32,
+          "sampleStart": 0.06, "endTime": 0.1, "writeInterval": 0.02}
+
+
+def shrunk_copy(folder):
+    """The case in a folder of its own, with the coarser parameters."""
+    case = folder/"quickJet"
+    shutil.copytree(QUICK_JET, case, ignore=shutil.ignore_patterns(
+        "tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "0",
+        "0.*", "[1-9]*"))
+    parameters = case/"system"/"parameters"
+    text = parameters.read_text()
+    for name, value in SHRUNK.items():
+        text, found = re.subn(rf"^{name}\s.*?;", f"{name} {value};", text, flags=re.M)
+        assert found == 1, name
+    parameters.write_text(text)
+    return case
+
+
+class QuickJet(grainjet.Case):
+
+    def test_job_and_its_results(self):
+        case = shrunk_copy(self.folder)
+        job = grainjet.run(["./Allrun"], case, timeout=800)
+        self.assertEqual(job.code, 0, job)
+
+        # progress with time left, in words
+        self.assertRegex(job.output, r"% done, \d+ s left, grains \d+ \(inserted \d+, left \d+")
+
+        # check.py has judged fluxes, balance and velocities: nothing failed
+        self.assertIn("All checks hold", job.output)
+        for left_behind in (
+                "postProcessing/profiles/0/plane_0.1D.dat", "postProcessing/profiles/0/plane_10D.dat",
+                "postProcessing/profiles/0/plane_20D.dat", "postProcessing/grains/liggghts.vtp.series",
+                "results/profiles.png", "results/jet.png", "results/summary.txt", "quickJet.foam",
+                "0.1/U", "0.1/voidFraction"):
+            self.assertTrue((case/left_behind).stat().st_size >= 0, left_behind)
+
+        # a check that cannot fail is none: spoil the balance and it must
+        balance = next((case/"postProcessing"/"liggghtsCoupling").glob("*/balance.dat"))
+        lines = balance.read_text().splitlines()
+        values = lines[-1].split("\t")
+        values[1] = str(int(float(values[1])) + 100)    # 100 grains inserted but nowhere
+        values[3] = str(int(float(values[3])) + 100)
+        balance.write_text("\n".join([*lines[:-1], "\t".join(values)]) + "\n")
+        judged = grainjet.run(["./check.py"], case)
+        self.assertFails(judged, "FAILED")
+
+    def test_failing_solver_ends_the_job_with_its_message(self):
+        case = shrunk_copy(self.folder)
+        options = case/"system"/"fvOptions"
+        options.write_text(options.read_text().replace("Gidaspow", "Gidaspov"))
+        job = grainjet.run(["./Allrun"], case, timeout=300)
+        self.assertFails(job, "Gidaspov", "log.pimpleFoam")
+        self.assertFalse((case/"results"/"summary.txt").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

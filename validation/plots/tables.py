@@ -1,0 +1,52 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables that Grainjet writes below `postProcessing/`: columns by name, as numpy arrays."""
+
+import pathlib
+import re
+
+import numpy
+
+
+def read(path):
+    """{column: values} of a table whose last `#` line names the columns, separated by tabs."""
+    names = None
+    with open(path) as lines:
+        for line in lines:
+            if not line.startswith("#"):
+                break
+            names = [name.strip() for name in line[1:].strip().split("\t")]
+    rows = numpy.loadtxt(path, comments="#", ndmin=2)
+    if names is None or rows.shape[1] != len(names):
+        raise ValueError(f"{path}: {len(names or [])} column names for {rows.shape[1]} columns")
+    return dict(zip(names, rows.T))
+
+
+def latest(folder):
+    """The subfolder of a function object's folder with the largest start time."""
+    starts = [entry for entry in pathlib.Path(folder).iterdir() if entry.is_dir()]
+    if not starts:
+        raise FileNotFoundError(f"{folder}: no results there")
+    return max(starts, key=lambda entry: float(entry.name))
+
+
+def planes(folder):
+    """{position in diameters: path} of the files of a particleSamplingPlanes object, in order."""
+    found = {float(re.fullmatch(r"plane_(.+)D", path.stem)[1]): path
+             for path in latest(folder).glob("plane_*D.dat")}
+    return dict(sorted(found.items()))
+
+
+def stated(path):
+    """{name: value} of the numbers stated as `name = value` in the `#` lines of a table; the last
+    of equal names wins unless the line starts with a title: then the key is `title: name`."""
+    found = {}
+    with open(path) as lines:
+        for line in lines:
+            if not line.startswith("#"):
+                break
+            title = re.match(r"# ([^=:]+): ", line)
+            for name, value in re.findall(r"([A-Za-z][\w ./]*?) = ([-+\d.eE]+)", line):
+                found[f"{title[1]}: {name.strip()}" if title else name.strip()] = float(value)
+    return found
