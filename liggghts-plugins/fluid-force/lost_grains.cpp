@@ -17,7 +17,7 @@
 
 using namespace LAMMPS_NS;
 
-namespace {
+namespace grainjet {
 
 struct PreExchangeList {
   using type = int *Modify::*;
@@ -36,9 +36,9 @@ struct MarkedTags {
 
 }
 
-template struct grainjet::Expose<PreExchangeList, &Modify::list_pre_exchange>;
-template struct grainjet::Expose<PreExchangeCount, &Modify::n_pre_exchange>;
-template struct grainjet::Expose<MarkedTags, &FixMassflowMesh::atom_tags_delete_>;
+template struct grainjet::Expose<grainjet::PreExchangeList, &Modify::list_pre_exchange>;
+template struct grainjet::Expose<grainjet::PreExchangeCount, &Modify::n_pre_exchange>;
+template struct grainjet::Expose<grainjet::MarkedTags, &FixMassflowMesh::atom_tags_delete_>;
 
 /* ---------------------------------------------------------------------- */
 
@@ -48,8 +48,8 @@ LostGrains::LostGrains(LAMMPS *lmp, int groupbit) : Pointers(lmp), groupbit_(gro
 
 void LostGrains::act_first(int ifix)
 {
-  int *first = modify->*member(PreExchangeList());
-  int *last = first + modify->*member(PreExchangeCount());
+  int *first = modify->*member(grainjet::PreExchangeList());
+  int *last = first + modify->*member(grainjet::PreExchangeCount());
   int *own = std::find(first, last, ifix);
   if (own != last) std::rotate(first, own, own + 1);
 }
@@ -73,7 +73,7 @@ void LostGrains::collect(const FluidForceExchange &state, double halfKick)
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
     FixMassflowMesh *counter = dynamic_cast<FixMassflowMesh *>(modify->fix[ifix]);
     if (!counter) continue;
-    for (int tag : counter->*member(MarkedTags())) {
+    for (int tag : counter->*member(grainjet::MarkedTags())) {
       const int i = atom->map(tag);
       if (i >= 0 && i < atom->nlocal && !outside(atom->x[i])) record(i, state, halfKick);
     }
