@@ -1,0 +1,88 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "events_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+using namespace grainjet;
+
+/* ---------------------------------------------------------------------- */
+
+EventsFile::~EventsFile()
+{
+  if (file_) fclose(file_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string EventsFile::fault(const char *action) const
+{
+  return std::string("cannot ") + action + " '" + path_ + "': " + strerror(errno);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string EventsFile::create()
+{
+  file_ = fopen(path_.c_str(), "w");
+  if (!file_) return fault("write events file");
+  return write("time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
+    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles\n");
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string EventsFile::resume(double size)
+{
+  if (access(path_.c_str(), F_OK) != 0) return create();    // restarted in another folder
+  file_ = fopen(path_.c_str(), "r+");
+  if (!file_) return fault("continue events file");
+  fseek(file_, 0, SEEK_END);
+  if (ftell(file_) < size)
+    return "events file '" + path_ + "' is shorter than when the restart file was written; "
+      "is it of another run? Move it away or give another path";
+  if (ftruncate(fileno(file_), static_cast<off_t>(size)) != 0)
+    return fault("shorten events file");
+  fseek(file_, 0, SEEK_END);
+  size_ = size;
+  return "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string EventsFile::append(const std::vector<FinishedCollision> &collisions)
+{
+  const std::size_t page = 4096;    // handed over in pieces that a kill hardly cuts
+  std::string text, failure;
+  for (const FinishedCollision &c : collisions) {
+    char line[400];
+    snprintf(line, sizeof(line),
+      "%.9g,%.0f,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g\n",
+      c.contact.time, c.id, c.contact.a, c.contact.b, c.contact.speed, c.speedAfter,
+      c.contact.angle, c.contact.normalPeak, c.contact.tangentialPeak, c.contact.duration,
+      c.contact.normalMean(), c.contact.tangentialMean(), c.energyLoss(), c.particles);
+    if (text.size() + strlen(line) > page) {
+      failure = write(text);
+      if (!failure.empty()) return failure;
+      text.clear();
+    }
+    text += line;
+  }
+  return write(text);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string EventsFile::write(const std::string &text)
+{
+  if (fwrite(text.data(), 1, text.size(), file_) != text.size() || fflush(file_) != 0)
+    return fault("write to events file");
+  size_ += text.size();
+  return "";
+}

@@ -1,0 +1,53 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_EVENTS_FILE_H
+#define GRAINJET_EVENTS_FILE_H
+
+#include "collision.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace grainjet {
+
+/* The file with one line per finished collision. Written by one rank, whole lines at a
+   time and flushed, so that a killed run leaves a readable file that lacks no more than
+   what had not been handed over. All functions return an empty string, or what went
+   wrong.                                                                             */
+class EventsFile {
+ public:
+
+  explicit EventsFile(const std::string &path) : path_(path), file_(NULL), size_(0) {}
+  ~EventsFile();
+  EventsFile(const EventsFile &) = delete;
+  EventsFile &operator=(const EventsFile &) = delete;
+
+  // A new file with its header line, in place of an older one
+  std::string create();
+
+  // Goes on behind the first `size` bytes of the file, as it was when a restart file was
+  // written: lines of collisions that are about to happen again are cut off
+  std::string resume(double size);
+
+  std::string append(const std::vector<FinishedCollision> &);
+
+  double size() const { return size_; }    // bytes
+
+ private:
+
+  std::string path_;
+  FILE *file_;
+  double size_;
+
+  std::string write(const std::string &);
+  std::string fault(const char *action) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,114 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+
+FixStyle(plate/stats,FixPlateStats)
+
+#else
+
+#ifndef LMP_FIX_PLATE_STATS_H
+#define LMP_FIX_PLATE_STATS_H
+
+#include "fix.h"
+
+#include "collision.h"
+#include "events_file.h"
+#include "plate_geometry.h"
+#include "plate_statistics.h"
+#include "wall_forces.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/* Statistics of what hits a plate. User page: docs/fix_plate_stats.md.
+
+     fix ID group plate/stats wall wallID centre x y z normal nx ny nz radius R rings n
+         file path [every N] [events path] [stats_start t]
+
+   The forces are those that a fix wall/gran with store_force yes has computed in the
+   step. A collision begins in the first step with a force from the wall while the grain
+   reaches the plate's plane, and ends in the first step without. Velocities are taken
+   in mid-step, after the last kick without and before the first kick with that force
+   (and the reverse at the end), so speeds before and after hold no contact force.
+
+   Collisions in progress live in a stock fix property/atom plateStats_<ID> and so
+   migrate and restart; finished ones are gathered on rank 0, in the order of time and
+   ID, so that the result does not depend on the number of ranks.
+
+   Global vector: 1 finished collisions, 2 grains in contact, 3 grains deleted while in
+   contact, all for the whole plate and of collisions that count (see stats_start).    */
+class FixPlateStats : public Fix {
+ public:
+
+  FixPlateStats(class LAMMPS *, int, char **);
+
+  int setmask();
+  void post_create();
+  void pre_delete(bool);
+  void init();
+  void setup(int);
+  void pre_neighbor();
+  void pre_final_integrate();
+  void end_of_step();
+  void post_run();
+  void write_restart(FILE *);
+  void restart(char *);
+  double compute_vector(int);
+
+ private:
+
+  std::string wallID_, path_, eventsPath_;
+  int every_;               // steps between updates of the file
+  double start_;            // s, stats_start
+
+  std::unique_ptr<grainjet::PlateGeometry> plate_;
+  std::unique_ptr<WallForces> wall_;
+  class FixPropertyAtom *state_;    // a grainjet::Collision per grain
+
+  // ---- on every rank
+
+  std::vector<int> near_;           // grains that can reach the plate until the next rebuild
+  bool rebuild_;
+  bool elsewhere_;                  // the wall has touched grains away from the plate
+  bool warned_;                     // that has been said
+  bool observed_;                   // grains in contact from before have been marked
+  double clock_;                    // s, time of the simulation, also across restarts, where
+                                    // LIGGGHTS' own starts anew; < 0: not yet set
+  double begin_;                    // s, time from which collisions count
+  std::vector<grainjet::FinishedCollision> finished_;    // since the last gather()
+  std::vector<double> begun_;       // per region, since the last gather()
+
+  // ---- on rank 0
+
+  std::unique_ptr<grainjet::PlateStatistics> statistics_;
+  std::unique_ptr<grainjet::EventsFile> events_;
+  std::vector<double> begunAll_;    // per region, since the statistics began
+  double restartedEvents_;          // bytes of the events file to keep; < 0: new file
+
+  void parse(int, char **);
+  grainjet::Collision &contact(int) const;
+  bool touches(int, double **forces) const;
+  bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= begin_; }
+  double kinetic_energy(int) const;
+  void count(const grainjet::Collision &, std::vector<double> &) const;
+  void find_near();
+  void begin(int, grainjet::Collision &);
+  void finish(int, grainjet::Collision &);
+  void gather();
+  std::vector<double> touching() const;
+  void write();
+  void warn_if_beside();
+  void agree(std::string fault);
+};
+
+}
+
+#endif
+#endif
