@@ -1,0 +1,39 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifdef COMMAND_CLASS
+
+CommandStyle(coarsegraining,CoarseGrainingCommand)
+
+#else
+
+#ifndef LMP_COARSEGRAINING_H
+#define LMP_COARSEGRAINING_H
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+/* States the coarse-graining factor f_cg of all grains, or one factor per atom type:
+
+     coarsegraining f [f2 ... fn]
+
+   Afterwards radii in particle templates, the `neighbor` skin and bin sizes are those of the
+   particles and LIGGGHTS multiplies them by f_cg. To be given once, before templates. Each
+   factor has to be >= 1. The public LIGGGHTS carries the factor but lacks the command.     */
+class CoarseGrainingCommand : protected Pointers {
+ public:
+  explicit CoarseGrainingCommand(class LAMMPS *lmp) : Pointers(lmp) {}
+  void command(int, char **);
+
+ private:
+  [[noreturn]] void fail(const char *message);
+};
+
+}
+
+#endif
+#endif

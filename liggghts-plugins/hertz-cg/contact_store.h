@@ -1,0 +1,78 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_CONTACT_STORE_H
+#define GRAINJET_CONTACT_STORE_H
+
+#include "physics/contact/vector3.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace grainjet {
+
+/* What a touching pair remembers, seen from its first grain. The forces are those of the
+   last step: the work done over a step needs them, and a run that is continued from a
+   restart file written in its middle starts from them.                                  */
+struct Contact {
+  contact::Vector3 spring;       // m, tangential spring
+  contact::Vector3 tangential;   // N, tangential force
+  contact::Vector3 rolling;      // N m, torque of rolling friction
+  double normal;                 // N, normal force
+
+  // the same contact seen from the other grain
+  Contact mirrored() const
+  {
+    return {-1.0 * spring, -1.0 * tangential, -1.0 * rolling, normal};
+  }
+};
+
+/* Contacts kept per grain, by the ID of the other grain. Between two searches for neighbours
+   contacts live in the list of pairs (ContactPairs); here they are while grains change their
+   index, their rank or the program (restart). Each of the two grains has its own copy, so a
+   contact survives wherever they go.                                                      */
+class ContactStore {
+ public:
+
+  struct Entry {
+    int partner;      // ID of the other grain
+    int marks;        // ContactPairs::Mark
+    Contact contact;
+  };
+
+  static const int VALUES = 12;    // numbers in which an entry is packed
+
+  void resize(int ngrains);
+  void clear();                                  // no grain has contacts
+  void add(int grain, const Entry &entry);       // grain by grain, in any order
+  void finish();                                 // after the last add()
+
+  int count(int grain) const { return count_[grain]; }
+  const Entry *entries(int grain) const { return entries_.data() + first_[grain]; }
+  int largest() const { return largest_; }       // most contacts any grain had since clear()
+
+  void copy(int from, int to) { count_[to] = count_[from]; first_[to] = first_[from]; }
+  void forget(int grain) { count_[grain] = 0; }
+
+  int packed_size(int grain) const { return 1 + VALUES * count_[grain]; }
+  int pack(int grain, double *buffer) const;             // returns the numbers written
+  int unpack(int grain, const double *buffer);           // returns the numbers read
+
+  std::size_t bytes() const;
+
+ private:
+
+  struct Added { int grain; Entry entry; };
+
+  std::vector<int> count_, first_;
+  std::vector<Entry> entries_;
+  std::vector<Added> added_;
+  int largest_ = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,145 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+
+FixStyle(hertz/cg,FixHertzCg)
+
+#else
+
+#ifndef LMP_FIX_HERTZ_CG_H
+#define LMP_FIX_HERTZ_CG_H
+
+#include "fix.h"
+
+#include "hertz-cg/contact_pairs.h"
+#include "hertz-cg/contact_store.h"
+#include "hertz-cg/material_table.h"
+#include "hertz-cg/search_settings.h"
+#include "hertz-cg/stream_motion.h"
+#include "hertz-cg/wall_axes.h"
+
+namespace LAMMPS_NS {
+
+/* Contact between grains: Hertz-Mindlin spring-dashpot with tangential history, evaluated for
+   the particles a grain stands for and scaled by f_cg^2 and f_cg^3. In place of `pair_style gran`.
+
+     fix c all hertz/cg [tangential history|off] [rolling off|cdt]
+                        [timestep_check N fraction warn|error] [overlap_check fraction]
+
+   tangential      friction with a tangential spring (default), or none
+   rolling         rolling friction of constant directional torque, or none (default)
+   timestep_check  every N steps compare the time step with `fraction` of the Rayleigh time and of
+                   the Hertz time; beyond it warn, or end the run. Without it, both times are only
+                   in the global vector
+   overlap_check   fraction of the smaller radius beyond which an overlap is counted and reported
+                   at the end of a run (default 0.1)
+
+   Global vector f_c[1..7]: contacts now; collisions begun since the start; largest
+   overlap/radius since the start; time step in % of the Rayleigh time, in % of the Hertz time;
+   energy now in the springs [J]; energy dissipated by contacts since the start [J].
+   Walls are left to the stock `fix wall/gran` and not in these numbers.                      */
+class FixHertzCg : public Fix {
+ public:
+  FixHertzCg(class LAMMPS *, int, char **);
+  ~FixHertzCg();
+
+  int setmask();
+  void pre_delete(bool unfixflag);
+  void init();
+  void init_list(int, class NeighList *);
+  void setup_pre_exchange();
+  void setup_pre_neighbor();
+  void setup_pre_force(int);
+  void post_integrate();
+  void pre_exchange();
+  void pre_neighbor();
+  void pre_force(int);
+  void end_of_step();
+  void post_run();
+
+  double extend_cut_ghost();
+  double compute_vector(int);
+  double memory_usage();
+
+  void grow_arrays(int);
+  void copy_arrays(int, int, int);
+  void set_arrays(int);
+  int pack_exchange(int, double *);
+  int unpack_exchange(int, double *);
+
+  void write_restart(FILE *);
+  void restart(char *);
+  int pack_restart(int, double *);
+  void unpack_restart(int, int);
+  int size_restart(int);
+  int maxsize_restart();
+
+ private:
+
+  // keywords
+  bool tangential_, rolling_;
+  double timestep_fraction_;
+  bool timestep_error_;
+  double overlap_fraction_;
+
+  // parts
+  grainjet::MaterialTable materials_;
+  grainjet::SearchSettings search_;
+  grainjet::StreamMotion motion_;
+  grainjet::ContactPairs pairs_;
+  grainjet::ContactStore store_;
+
+  // state of pairs and store
+  bool pairs_valid_;       // indices in pairs_ are those of the host's arrays
+  bool store_current_;     // store_ holds what pairs_ holds
+  bool forces_restarted_;  // the first forces are those of the restart file
+
+  // the search
+  double rmax_;            // m, largest radius, also of grains still to be inserted
+  double margin_;          // m, of the present list
+  double pairs_per_grain_; // of the present list
+  bigint search_step_;     // when it was made
+  int freeze_bit_;
+  grainjet::WallAxes walls_;
+
+  // bookkeeping, this rank's share since the start
+  double collisions_, deep_, deepest_;
+  double work_;            // J, done by contacts on grains
+  double found_;           // J, in the springs of contacts that were there before the first step
+  bigint reduced_step_;
+  double reduced_[7];
+
+  void parse(int, char **);
+  void check_host();
+  void check_sizes();
+  double solids_volume() const;
+
+  void search();
+  void choose_margin(const double velocity[3]);
+  void stream_velocity(double velocity[3]) const;
+  void start_motion(const double velocity[3]);
+  void save_contacts();
+
+  struct Grains;
+  void compute(bool advance, bool again);
+  template <bool TANGENTIAL, bool ROLLING>
+  void compute_pairs(bool advance, bool again);
+  template <bool TANGENTIAL, bool ROLLING>
+  void compute_contact(const Grains &, std::size_t pair, double rsq, bool advance, bool again);
+  void end_contact(const Grains &, std::size_t pair, bool advance);
+  void begin_contact(const Grains &, std::size_t pair, double depth);
+  [[noreturn]] void fail_contact(const Grains &, std::size_t pair, const char *why);
+
+  void reduce();
+  double elastic_energy() const;
+  void timestep_percent(double &rayleigh, double &hertz) const;
+};
+
+}
+
+#endif
+#endif

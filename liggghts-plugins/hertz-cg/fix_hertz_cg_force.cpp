@@ -1,0 +1,281 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+/* fix hertz/cg: the loop over pairs and the force of a contact */
+
+#include "hertz-cg/fix_hertz_cg.h"
+#include "physics/contact/hertz_mindlin.h"
+
+#include "atom.h"
+#include "error.h"
+#include "force.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+using namespace grainjet;
+using contact::Vector3;
+
+// the host's arrays, fetched once per step
+struct FixHertzCg::Grains {
+  double **x, **v, **f, **omega, **torque;
+  const double *radius, *rmass;
+  const int *type, *mask, *tag;
+  int nlocal;
+  double dt;
+
+  explicit Grains(Atom *atom, double step)
+    : x(atom->x), v(atom->v), f(atom->f), omega(atom->omega), torque(atom->torque),
+      radius(atom->radius), rmass(atom->rmass), type(atom->type), mask(atom->mask),
+      tag(atom->tag), nlocal(atom->nlocal), dt(step) {}
+
+  // a pair across ranks is computed on both; each counts it once in two, or by IDs
+  double share(int j) const { return j < nlocal ? 1.0 : 0.5; }
+  bool counts(int i, int j) const { return j < nlocal || tag[i] < tag[j]; }
+};
+
+static inline Vector3 vector(const double *a) { return {a[0], a[1], a[2]}; }
+
+static inline void add(double *a, const Vector3 &b)
+{
+  a[0] += b.x;
+  a[1] += b.y;
+  a[2] += b.z;
+}
+
+/* ----------------------------------------------------------------------
+   forces before the first step: springs are left alone, as the stock pair style does.
+   After a restart file written in the middle of a run the forces are those of the file.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::setup_pre_force(int)
+{
+  if (!pairs_valid_) search();
+  compute(false, forces_restarted_);
+  forces_restarted_ = false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::pre_force(int)
+{
+  if (!pairs_valid_) search();
+  compute(true, false);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::compute(bool advance, bool again)
+{
+  store_current_ = false;
+  if (tangential_) {
+    if (rolling_) compute_pairs<true, true>(advance, again);
+    else compute_pairs<true, false>(advance, again);
+  } else {
+    if (rolling_) compute_pairs<false, true>(advance, again);
+    else compute_pairs<false, false>(advance, again);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <bool TANGENTIAL, bool ROLLING>
+void FixHertzCg::compute_pairs(bool advance, bool again)
+{
+  const Grains g(atom, update->dt);
+  const std::size_t n = pairs_.size();
+  for (std::size_t p = 0; p < n; ++p) {
+    const ContactPairs::Pair &pair = pairs_.pairs[p];
+    const double *xi = g.x[pair.i], *xj = g.x[pair.j];
+    const double dx = xi[0] - xj[0], dy = xi[1] - xj[1], dz = xi[2] - xj[2];
+    const double rsq = dx * dx + dy * dy + dz * dz;
+    if (rsq < pair.reach2) compute_contact<TANGENTIAL, ROLLING>(g, p, rsq, advance, again);
+    else if (pairs_.marks[p]) end_contact(g, p, advance);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   relative motion of the two surfaces at the contact point
+------------------------------------------------------------------------- */
+
+namespace {
+
+struct Kinematics {
+  Vector3 normal;       // unit, from j to i
+  double overlap;
+  double armI, armJ;    // from the centres to the contact point
+  double vn;
+  Vector3 vt;
+
+  template <class G>
+  Kinematics(const G &g, int i, int j, double distance)
+  {
+    const Vector3 delta = vector(g.x[i]) - vector(g.x[j]);
+    normal = (1.0 / distance) * delta;
+    overlap = g.radius[i] + g.radius[j] - distance;
+    armI = g.radius[i] - 0.5 * overlap;
+    armJ = g.radius[j] - 0.5 * overlap;
+    const Vector3 v = vector(g.v[i]) - vector(g.v[j]);
+    vn = contact::dot(v, normal);
+    vt = v - vn * normal
+      + contact::cross(normal, armI * vector(g.omega[i]) + armJ * vector(g.omega[j]));
+  }
+};
+
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <bool TANGENTIAL, bool ROLLING>
+void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, bool advance, bool again)
+{
+  const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+  Contact &c = pairs_.contacts[p];
+  if (rsq == 0.0) fail_contact(g, p, "have the same centre");
+
+  const MaterialTable::Entry &m = materials_(g.type[i], g.type[j]);
+  if (m.mixed)
+    fail_contact(g, p, "touch, but their types have different coarse-graining factors; "
+                       "the law between them is not defined");
+
+  const Kinematics k(g, i, j, std::sqrt(rsq));
+  const double depth = k.overlap / std::min(g.radius[i], g.radius[j]);
+  const bool found = !(pairs_.marks[p] & ContactPairs::TOUCHING);
+  if (found || depth > deepest_) begin_contact(g, p, depth);
+  else if (depth > overlap_fraction_ && !(pairs_.marks[p] & ContactPairs::DEEP)) begin_contact(g, p, depth);
+
+  contact::Geometry grain;
+  grain.overlap = k.overlap;
+  grain.radius = g.radius[i] * g.radius[j] / (g.radius[i] + g.radius[j]);
+  if (g.mask[i] & freeze_bit_) grain.mass = g.rmass[j];
+  else if (g.mask[j] & freeze_bit_) grain.mass = g.rmass[i];
+  else grain.mass = g.rmass[i] * g.rmass[j] / (g.rmass[i] + g.rmass[j]);
+
+  // the law, for the particles the two grains stand for
+  const contact::Geometry particle = m.scale.particle(grain);
+  const contact::Stiffness stiffness = contact::stiffness(m.material, particle);
+  Vector3 spring = m.scale.particleSpring(c.spring);
+  if (TANGENTIAL && advance) contact::advanceSpring(spring, k.normal, k.vt, g.dt / m.scale.factor());
+
+  const Vector3 turning = vector(g.omega[i]) - vector(g.omega[j]);
+  contact::Force force = {c.normal, c.tangential};
+  Vector3 rolling = c.rolling;
+  if (!again) {
+    if (TANGENTIAL) {
+      force = contact::hertzMindlin(m.material, stiffness, particle.overlap, k.vn, k.vt, spring, advance);
+    } else {
+      force.normal = contact::normalForce(stiffness, particle.overlap, k.vn);
+      force.tangential = {0.0, 0.0, 0.0};
+    }
+    force = m.scale.grainForce(force);
+    if (ROLLING)
+      rolling = m.scale.grainTorque(contact::rollingTorque(
+        m.material, stiffness, particle, k.normal, m.scale.particleRotation(turning)));
+  }
+
+  if (advance) {
+    // work over the step, by the mean of the forces at its two ends
+    double power = (c.normal + force.normal) * k.vn;
+    if (TANGENTIAL) power += contact::dot(c.tangential + force.tangential, k.vt);
+    if (ROLLING) power += contact::dot(c.rolling + rolling, turning);
+    work_ += 0.5 * g.dt * g.share(j) * power;
+    c.spring = m.scale.grainSpring(spring);
+  } else if (found) {
+    found_ += g.share(j) * m.scale.grainEnergy(contact::elasticEnergy(stiffness, particle.overlap, spring));
+  }
+  c.normal = force.normal;
+  c.tangential = force.tangential;
+  c.rolling = rolling;
+
+  const Vector3 total = force.normal * k.normal + force.tangential;
+  const Vector3 twist = contact::cross(k.normal, force.tangential);
+  add(g.f[i], total);
+  if (TANGENTIAL) add(g.torque[i], -k.armI * twist);
+  if (ROLLING) add(g.torque[i], rolling);
+  if (j >= g.nlocal) return;
+  add(g.f[j], -1.0 * total);
+  if (TANGENTIAL) add(g.torque[j], -k.armJ * twist);
+  if (ROLLING) add(g.torque[j], -1.0 * rolling);
+}
+
+/* ----------------------------------------------------------------------
+   a contact begins, or is deeper than any before, or than what is reported
+------------------------------------------------------------------------- */
+
+void FixHertzCg::begin_contact(const Grains &g, std::size_t p, double depth)
+{
+  const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+  const bool counts = g.counts(i, j);
+  deepest_ = std::max(deepest_, depth);
+  if (!(pairs_.marks[p] & ContactPairs::TOUCHING)) {
+    const Vector3 zero = {0.0, 0.0, 0.0};
+    pairs_.contacts[p] = {zero, zero, zero, 0.0};
+    pairs_.marks[p] |= ContactPairs::TOUCHING;
+    if (counts) collisions_ += 1.0;
+  }
+  if (depth > overlap_fraction_ && !(pairs_.marks[p] & ContactPairs::DEEP)) {
+    pairs_.marks[p] |= ContactPairs::DEEP;
+    if (counts) deep_ += 1.0;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the two have parted: over this step the force fell to nothing
+------------------------------------------------------------------------- */
+
+void FixHertzCg::end_contact(const Grains &g, std::size_t p, bool advance)
+{
+  const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+  const Contact &c = pairs_.contacts[p];
+  pairs_.marks[p] = 0;
+  if (!advance) return;
+  const Vector3 delta = vector(g.x[i]) - vector(g.x[j]);
+  const Kinematics k(g, i, j, contact::length(delta));
+  const double power = c.normal * k.vn + contact::dot(c.tangential, k.vt)
+    + contact::dot(c.rolling, vector(g.omega[i]) - vector(g.omega[j]));
+  work_ += 0.5 * g.dt * g.share(j) * power;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::fail_contact(const Grains &g, std::size_t p, const char *why)
+{
+  const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+  std::ostringstream message;
+  message << "Fix hertz/cg (id " << id << "): grains " << g.tag[i] << " (type " << g.type[i] << ", f_cg "
+          << force->cg(g.type[i]) << ") and " << g.tag[j] << " (type " << g.type[j] << ", f_cg "
+          << force->cg(g.type[j]) << ") " << why;
+  error->one(FLERR, message.str().c_str());
+  std::abort();    // never reached: Error::one ends the program
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixHertzCg::elastic_energy() const
+{
+  const Grains g(atom, update->dt);
+  double energy = 0.0;
+  if (!pairs_valid_) return energy;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (!(pairs_.marks[p] & ContactPairs::TOUCHING)) continue;
+    const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+    const double distance = contact::length(vector(g.x[i]) - vector(g.x[j]));
+    contact::Geometry grain;
+    grain.overlap = g.radius[i] + g.radius[j] - distance;
+    if (grain.overlap <= 0.0) continue;
+    grain.radius = g.radius[i] * g.radius[j] / (g.radius[i] + g.radius[j]);
+    grain.mass = 0.0;    // no damping in it
+    const MaterialTable::Entry &m = materials_(g.type[i], g.type[j]);
+    const contact::Geometry particle = m.scale.particle(grain);
+    energy += g.share(j) * m.scale.grainEnergy(contact::elasticEnergy(
+      contact::stiffness(m.material, particle), particle.overlap,
+      m.scale.particleSpring(pairs_.contacts[p].spring)));
+  }
+  return energy;
+}

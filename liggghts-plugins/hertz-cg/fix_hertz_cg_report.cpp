@@ -1,0 +1,218 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+/* fix hertz/cg: its global vector, its reports and its part of a restart file */
+
+#include "hertz-cg/fix_hertz_cg.h"
+#include "physics/contact/time_step.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+double FixHertzCg::compute_vector(int n)
+{
+  if (reduced_step_ != update->ntimestep || update->setupflag) reduce();
+  return reduced_[n];
+}
+
+/* ----------------------------------------------------------------------
+   all seven at once: every rank asks for the first of them together
+------------------------------------------------------------------------- */
+
+void FixHertzCg::reduce()
+{
+  double contacts = 0.0;
+  for (std::size_t p = 0; pairs_valid_ && p < pairs_.size(); ++p)
+    if (pairs_.marks[p]) {
+      const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
+      if (j < atom->nlocal || atom->tag[i] < atom->tag[j]) contacts += 1.0;
+    }
+  double sum[5] = {contacts, collisions_, elastic_energy(), work_, found_};
+  double deepest = deepest_;
+  MPI_Allreduce(MPI_IN_PLACE, sum, 5, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+  reduced_[0] = sum[0];
+  reduced_[1] = sum[1];
+  reduced_[2] = deepest;
+  timestep_percent(reduced_[3], reduced_[4]);
+  reduced_[5] = sum[2];
+  // what the contacts took from the motion and did not keep in their springs
+  reduced_[6] = sum[4] - sum[3] - sum[2];
+  reduced_step_ = update->ntimestep;
+}
+
+/* ----------------------------------------------------------------------
+   The Hertz time is that of two equal grains that meet at twice the largest speed, over all
+   grains, as in the stock `fix check/timestep/gran`. No grains: 0 %.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::timestep_percent(double &rayleigh, double &hertz) const
+{
+  using namespace grainjet::contact;
+
+  double fastest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double *v = atom->v[i];
+    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double speed = 2.0 * std::sqrt(fastest);
+
+  double shortest[2] = {HUGE_VAL, HUGE_VAL};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const int type = atom->type[i];
+    const double R = atom->radius[i], m = atom->rmass[i];
+    const double density = m / (4.0 / 3.0 * 3.14159265358979323846 * R * R * R);
+    shortest[0] = std::min(shortest[0], rayleighTime(R, density, materials_.youngs(type), materials_.poisson(type)));
+    if (speed > 0.0)
+      shortest[1] = std::min(shortest[1],
+                             hertzTime(0.5 * m, 0.5 * R, materials_(type, type).material.youngs, speed));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, shortest, 2, MPI_DOUBLE, MPI_MIN, world);
+  rayleigh = 100.0 * update->dt / shortest[0];
+  hertz = 100.0 * update->dt / shortest[1];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::end_of_step()
+{
+  double percent[2];
+  timestep_percent(percent[0], percent[1]);
+  const char *name[2] = {"Rayleigh", "Hertz"};
+  for (int n = 0; n < 2; ++n) {
+    if (percent[n] <= 100.0 * timestep_fraction_) continue;
+    std::ostringstream message;
+    message << "time step " << update->dt << " is " << percent[n] << " % of the " << name[n]
+            << " time; timestep_check allows " << 100.0 * timestep_fraction_ << " %";
+    if (timestep_error_) error->fix_error(FLERR, this, message.str().c_str());
+    if (comm->me == 0) error->warning(FLERR, ("Fix hertz/cg: " + message.str()).c_str());
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::post_run()
+{
+  double deep = deep_, deepest = deepest_;
+  MPI_Allreduce(MPI_IN_PLACE, &deep, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (deep == 0.0 || comm->me) return;
+  std::ostringstream message;
+  message << "Fix hertz/cg: " << deep << " contacts since the start were deeper than " << overlap_fraction_
+          << " of the smaller radius, the deepest " << deepest << "; grains are too soft for their speed";
+  error->warning(FLERR, message.str().c_str());
+}
+
+/* ----------------------------------------------------------------------
+   Restart file. Global: sums over all ranks, so that the number of ranks may change.
+------------------------------------------------------------------------- */
+
+namespace {
+
+// order of the numbers in the global part; the first of them is its version
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, SKIN, MARGIN, PAIRS, NSAVED };
+
+}
+
+void FixHertzCg::write_restart(FILE *fp)
+{
+  double sum[4] = {collisions_, deep_, work_, found_};
+  double deepest = deepest_;
+  MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me) return;
+
+  double list[NSAVED];
+  list[VERSION] = 1.0;
+  list[FACTOR] = force->cg(1);
+  list[COLLISIONS] = sum[0];
+  list[DEEP] = sum[1];
+  list[DEEPEST] = deepest;
+  list[WORK] = sum[2];
+  list[FOUND] = sum[3];
+  // between runs the next one works out forces anew; in the middle of one it goes on with them
+  list[IN_RUN] = update->whichflag ? 1.0 : 0.0;
+  list[SKIN] = search_.skin();
+  list[MARGIN] = margin_;
+  list[PAIRS] = pairs_per_grain_;
+  const int size = sizeof(list);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(list, sizeof(double), NSAVED, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::restart(char *buf)
+{
+  double list[NSAVED];
+  memcpy(list, buf, sizeof(list));
+  if (list[VERSION] != 1.0)
+    error->fix_error(FLERR, this, "the restart file was written by another version of this fix");
+  if (list[FACTOR] != force->cg(1)) {
+    std::ostringstream message;
+    message << "the restart file was written with `coarsegraining " << list[FACTOR]
+            << "`, this script has " << force->cg(1) << "; state the same factor before the fix";
+    error->fix_error(FLERR, this, message.str().c_str());
+  }
+  const bool first = comm->me == 0;    // sums belong to one rank
+  collisions_ = first ? list[COLLISIONS] : 0.0;
+  deep_ = first ? list[DEEP] : 0.0;
+  deepest_ = list[DEEPEST];
+  work_ = first ? list[WORK] : 0.0;
+  found_ = first ? list[FOUND] : 0.0;
+  forces_restarted_ = list[IN_RUN] != 0.0;
+  search_.keep(list[SKIN]);
+  margin_ = list[MARGIN];
+  pairs_per_grain_ = list[PAIRS];
+}
+
+/* ----------------------------------------------------------------------
+   per grain: its contacts as they are now, also those of the running step
+------------------------------------------------------------------------- */
+
+int FixHertzCg::size_restart(int i)
+{
+  save_contacts();
+  return 1 + store_.packed_size(i);
+}
+
+int FixHertzCg::maxsize_restart()
+{
+  save_contacts();
+  int largest = 0;
+  for (int i = 0; i < atom->nlocal; ++i) largest = std::max(largest, 1 + store_.packed_size(i));
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, world);
+  return largest;
+}
+
+int FixHertzCg::pack_restart(int i, double *buf)
+{
+  save_contacts();
+  buf[0] = 1 + store_.pack(i, &buf[1]);
+  return static_cast<int>(buf[0]);
+}
+
+void FixHertzCg::unpack_restart(int i, int nth)
+{
+  const double *extra = atom->extra[i];
+  int m = 0;
+  for (int n = 0; n < nth; ++n) m += static_cast<int>(extra[m]);
+  store_.unpack(i, &extra[m + 1]);
+}

@@ -1,0 +1,58 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_SEARCH_SETTINGS_H
+#define GRAINJET_SEARCH_SETTINGS_H
+
+namespace LAMMPS_NS { class LAMMPS; }
+
+namespace grainjet {
+
+/* The host's settings around the search for neighbours, as fix hertz/cg needs them. LIGGGHTS
+   derives them from the pair style; there is none here, so the fix sets them itself:
+
+   - skin: how far beyond contact ghosts and the walls' own lists reach
+   - largest cut-off: what mesh walls, ghosts and bins are sized by
+   - when to search: LIGGGHTS' own test by absolute displacement is switched off
+   - sizes of bins for mesh walls and for sorting the grains in memory: LIGGGHTS would take half
+     the cut-off, which cuts a mostly empty box into a hundred million bins. What the user set by
+     `neigh_modify binsize` or `atom_modify sort` is left alone.                             */
+class SearchSettings {
+ public:
+
+  explicit SearchSettings(LAMMPS_NS::LAMMPS *lmp) : lmp_(lmp) {}
+
+  /* Choose all of it for a run. Call before the host initialises its neighbour search.
+     diameter: of the largest grain [m]; solids: volume of all grains [m3].                 */
+  void choose(double diameter, double solids, bool meshWalls);
+
+  // Have the next choose() take this skin [m]: that of the run that is continued
+  void keep(double skin) { kept_ = skin; }
+
+  // To be called once the host has initialised its neighbour search, which forgets it
+  void set_cutoff() const;
+
+  double skin() const { return skin_; }
+
+  // Leave the host as it was before the first choose()
+  void restore();
+
+ private:
+
+  void choose_bins(bool meshWalls);
+  void choose_sorting();
+
+  LAMMPS_NS::LAMMPS *lmp_;
+  double diameter_ = 0.0, skin_ = 0.0, kept_ = 0.0;
+  bool taken_ = false;
+  double userSkin_ = 0.0;
+  int userDelay_ = 0;
+  bool ownBins_ = false, ownSortBins_ = false;
+};
+
+}
+
+#endif

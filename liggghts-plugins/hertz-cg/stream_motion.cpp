@@ -1,0 +1,86 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "hertz-cg/stream_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace grainjet;
+
+/* ---------------------------------------------------------------------- */
+
+void StreamMotion::start(int n, const double *x, const double velocity[3], const Limits &limits)
+{
+  hold_.assign(x, x + 3 * static_cast<std::size_t>(n));
+  std::copy(velocity, velocity + 3, velocity_);
+  limits_ = limits;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool StreamMotion::expired(int n, const double *x, double time) const
+{
+  double shift[3];
+  for (int d = 0; d < 3; ++d) {
+    shift[d] = velocity_[d] * time;
+    if (std::fabs(shift[d]) + limits_.relative > limits_.stream[d]) return true;
+  }
+  // grains that came or went without a search: their number says so
+  if (3 * static_cast<std::size_t>(n) != hold_.size()) return true;
+  return grains_expired(n, x, shift) || (limits_.wall > 0.0 && walls_expired(n, x));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool StreamMotion::grains_expired(int n, const double *x, const double shift[3]) const
+{
+  const double *h = hold_.data();
+  const double limit = limits_.relative * limits_.relative;
+  int far = 0;
+  for (int i = 0; i < 3 * n; i += 3) {
+    const double dx = x[i] - h[i] - shift[0];
+    const double dy = x[i + 1] - h[i + 1] - shift[1];
+    const double dz = x[i + 2] - h[i + 2] - shift[2];
+    far |= dx * dx + dy * dy + dz * dz > limit;
+  }
+  return far != 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool StreamMotion::walls_expired(int n, const double *x) const
+{
+  const double *h = hold_.data();
+  const double limit = limits_.wall * limits_.wall;
+  const double wx = limits_.wallAxes[0], wy = limits_.wallAxes[1], wz = limits_.wallAxes[2];
+  int far = 0;
+  for (int i = 0; i < 3 * n; i += 3) {
+    const double dx = wx * (x[i] - h[i]);
+    const double dy = wy * (x[i + 1] - h[i + 1]);
+    const double dz = wz * (x[i + 2] - h[i + 2]);
+    far |= dx * dx + dy * dy + dz * dz > limit;
+  }
+  return far != 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double MarginChoice::best() const
+{
+  // a search costs about as much as 60 visits of a listed pair (measured, dilute and dense)
+  const double searchPerVisit = 60.0;
+  const double smallest = std::min(0.02 * diameter, largest);
+  double choice = largest, least = 0.0;
+  for (double s = largest; ; s *= 0.8) {
+    s = std::max(s, smallest);
+    const double shell = (diameter + s) / (diameter + with);
+    const double cost = pairs * shell * shell * shell + searchPerVisit * 2.0 * displacement / s;
+    if (s == largest || cost < least) { choice = s; least = cost; }
+    if (s <= smallest) break;
+  }
+  return choice;
+}

@@ -1,0 +1,49 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "hertz-cg/wall_axes.h"
+
+#include "domain.h"
+#include "fix.h"
+#include "lammps.h"
+#include "modify.h"
+#include "primitive_wall.h"
+
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+/* The one member function of the host's class that is needed. The host's own header of it cannot be
+   included, since it wants headers that are generated when LIGGGHTS is compiled.               */
+namespace LAMMPS_NS {
+class FixWallGran {
+ public:
+  PrimitiveWall *primitiveWall();
+};
+}
+
+/* ---------------------------------------------------------------------- */
+
+grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
+{
+  WallAxes walls = {false, false, {false, false, false}};
+  for (int i = 0; i < lmp->modify->nfix; ++i) {
+    Fix *fix = lmp->modify->fix[i];
+    if (strncmp(fix->style, "neighlist/mesh", 14) == 0)
+      walls.any = walls.mesh = walls.axis[0] = walls.axis[1] = walls.axis[2] = true;
+    if (strncmp(fix->style, "wall/gran", 9) != 0) continue;
+    PrimitiveWall *primitive = reinterpret_cast<FixWallGran *>(fix)->primitiveWall();
+    if (!primitive) continue;
+    walls.any = true;
+    // a cylinder names its axis; a plane shows its normal in the way from any point to it
+    const double *lo = lmp->domain->boxlo;
+    double from[3] = {lo[0] - 1.1, lo[1] - 1.2, lo[2] - 1.3}, delta[3] = {1.0, 1.0, 1.0};
+    if (primitive->axis() < 0) primitive->resolveContact(from, 0.0, delta);
+    for (int d = 0; d < 3; ++d)
+      if (d != primitive->axis() && delta[d] != 0.0) walls.axis[d] = true;
+  }
+  return walls;
+}
