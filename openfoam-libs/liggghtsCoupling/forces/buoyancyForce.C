@@ -1,0 +1,39 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "buoyancyForce.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(buoyancyForce, 0);
+    addToRunTimeSelectionTable(grainForce, buoyancyForce, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::buoyancyForce::buoyancyForce(const carrierFluid& fluid)
+:
+    grainForce(fluid)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::buoyancyForce::update()
+{}
+
+
+Foam::vector Foam::buoyancyForce::force(const guestGrain& grain) const
+{
+    return -grain.volume()*fluid_.rho()*fluid_.g();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,44 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "pressureGradientForce.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvcGrad.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(pressureGradientForce, 0);
+    addToRunTimeSelectionTable(grainForce, pressureGradientForce, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pressureGradientForce::pressureGradientForce(const carrierFluid& fluid)
+:
+    grainForce(fluid)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pressureGradientForce::update()
+{
+    field_.reset(new volVectorField(fvc::grad(fluid_.p())));
+    atGrain_ = fluid_.interpolate(field_());
+}
+
+
+Foam::vector Foam::pressureGradientForce::force(const guestGrain& grain) const
+{
+    return -grain.volume()*fluid_.rho()
+       *atGrain_->interpolate(grain.position, grain.cell);
+}
+
+
+// ************************************************************************* //

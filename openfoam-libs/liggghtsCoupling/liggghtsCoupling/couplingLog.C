@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingLog.H"
+#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// -1 is what no style of the script provides
+void printProvided(const Foam::scalar value)
+{
+    if (value >= 0)
+    {
+        Foam::Info<< value;
+    }
+    else
+    {
+        Foam::Info<< "unknown";
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::couplingLog::courant() const
+{
+    const auto* phi = mesh_.cfindObject<surfaceScalarField>("phi");
+    if (!phi)
+    {
+        return -1;
+    }
+
+    const scalarField sumPhi(fvc::surfaceSum(mag(*phi))().primitiveField());
+
+    return 0.5*gMax(sumPhi/mesh_.V().field())*mesh_.time().deltaTValue();
+}
+
+
+void Foam::couplingLog::writeTableHeader()
+{
+    OFstream& os = file();
+    writeHeader(os, "Balance of the coupling, one row per fluid step");
+    writeHeader
+    (
+        os,
+        "present = inserted - left; outside: in no cell; -1: not provided by the script"
+    );
+    writeHeader
+    (
+        os,
+        "momentum [N s] in this step to the grains; to the fluid and still owed to it: step before"
+    );
+    writeCommented(os, "Time");
+    for
+    (
+        const char* column :
+        {
+            "inserted", "present", "left", "outside", "contacts",
+            "maxSolidFraction", "volumeCut", "meanSlip", "Courant",
+            "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
+            "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
+            "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling", "bytes"
+        }
+    )
+    {
+        writeTabbed(os, column);
+    }
+    os << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
+:
+    functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
+    mesh_(mesh),
+    twoWay_(twoWay),
+    clock_(),
+    startSeconds_(-1),
+    startTime_(0),
+    previousSeconds_(0),
+    sumToGrains_(Zero),
+    sumToFluid_(Zero),
+    sumExchanged_(0),
+    latestToGrains_(Zero)
+{
+    if (Pstream::master())
+    {
+        writeTableHeader();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingLog::write(const step& values)
+{
+    const Time& time = mesh_.time();
+    const scalar now = clock_.elapsedTime();
+
+    if (startSeconds_ < 0)
+    {
+        startSeconds_ = now - values.demSeconds - values.couplingSeconds;
+        startTime_ = time.value() - time.deltaTValue();
+        previousSeconds_ = startSeconds_;
+    }
+
+    // Shares of the wall clock since the previous line
+    const scalar all = max(now - previousSeconds_, VSMALL);
+    const scalar fluidSeconds = all - values.demSeconds - values.couplingSeconds;
+    previousSeconds_ = now;
+
+    const vector sums = returnReduce
+    (
+        vector(values.slipSum, values.guests, values.bytes),
+        sumOp<vector>()
+    );
+    const scalar slip = sums[1] > 0 ? sums[0]/sums[1] : 0;
+
+    const vector toGrains = returnReduce(values.toGrains, sumOp<vector>());
+    const vector toFluid = returnReduce(values.toFluid, sumOp<vector>());
+    const vector owed = returnReduce(values.owed, sumOp<vector>());
+
+    // The fluid's part of a step is known once the step is over
+    sumToGrains_ += latestToGrains_;
+    sumExchanged_ += mag(latestToGrains_);
+    sumToFluid_ += toFluid;
+    latestToGrains_ = toGrains;
+
+    const scalar imbalance =
+        twoWay_ && sumExchanged_ > 0
+      ? mag(sumToGrains_ + sumToFluid_ + owed)/sumExchanged_
+      : 0;
+
+    const scalar left = values.counts.inserted - values.counts.present;
+    const scalar done = time.value() - startTime_;
+    const scalar secondsLeft =
+        (now - startSeconds_)
+       *max(time.endTime().value() - time.value(), scalar(0))/max(done, VSMALL);
+    const scalar Co = courant();
+
+    Info<< "liggghtsCoupling: grains " << values.counts.present
+        << " (inserted " << values.counts.inserted
+        << ", left " << left
+        << ", outside mesh " << values.outside << "), contacts ";
+    printProvided(values.counts.contacts);
+    Info<< ", max solid fraction " << values.maxSolidFraction
+        << ", slip " << slip
+        << " m/s, Courant " << Co
+        << ", Rayleigh ";
+    printProvided(values.counts.rayleigh);
+    Info<< " %, momentum to grains " << toGrains
+        << " N s, imbalance " << imbalance
+        << ", time fluid " << label(100*fluidSeconds/all + 0.5)
+        << " % DEM " << label(100*values.demSeconds/all + 0.5)
+        << " % coupling " << label(100*values.couplingSeconds/all + 0.5)
+        << " %, left " << label(secondsLeft + 0.5) << " s" << nl;
+
+    if (values.volumeCut > 0)
+    {
+        Info<< "liggghtsCoupling: void fraction at its minimum; solid volume cut "
+            << values.volumeCut << " m3" << nl;
+    }
+
+    if (Pstream::master())
+    {
+        OFstream& os = file();
+        os  << time.value() << tab << values.counts.inserted
+            << tab << values.counts.present << tab << left
+            << tab << values.outside << tab << values.counts.contacts
+            << tab << values.maxSolidFraction << tab << values.volumeCut
+            << tab << slip << tab << Co << tab << values.counts.rayleigh;
+        for (const vector& v : {toGrains, toFluid, owed})
+        {
+            os  << tab << v.x() << tab << v.y() << tab << v.z();
+        }
+        os  << tab << imbalance << tab << fluidSeconds
+            << tab << values.demSeconds << tab << values.couplingSeconds
+            << tab << sums[2] << endl;
+    }
+}
+
+
+// ************************************************************************* //

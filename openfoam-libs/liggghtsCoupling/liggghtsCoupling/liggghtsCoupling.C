@@ -1,0 +1,364 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liggghtsCoupling.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvMatrices.H"
+#include "OSspecific.H"
+#include "physics/drag/drag_laws.h"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fv
+{
+    defineTypeNameAndDebug(liggghtsCoupling, 0);
+    addToRunTimeSelectionTable(option, liggghtsCoupling, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+grainjet::drag::Law selectDrag(const dictionary& dict)
+{
+    using grainjet::drag::NamedLaw;
+
+    const word name(dict.lookupOrDefault<word>("drag", "Gidaspow"));
+    const auto law = grainjet::drag::findLaw(name, &NamedLaw::dictionary);
+
+    if (!law)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown drag " << name << "\n\nValid drag laws: "
+            << grainjet::drag::lawNames(&NamedLaw::dictionary)
+            << exit(FatalIOError);
+    }
+    return law;
+}
+
+
+// The default is a model, not a number, so it is stated in one place
+dictionary voidFractionDict(const dictionary& dict)
+{
+    if (dict.found("voidFraction"))
+    {
+        return dict.subDict("voidFraction");
+    }
+    dictionary divided;
+    divided.add("model", "divided");
+    return divided;
+}
+
+
+IOobject coupledField(const word& name, const fvMesh& mesh)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::fv::liggghtsCoupling::readSwitch
+(
+    const dictionary& dict,
+    const word& key,
+    const word& on,
+    const word& off
+)
+{
+    const word value(dict.lookupOrDefault<word>(key, on));
+
+    if (value != on && value != off)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown " << key << ' ' << value << "\n\nValid: " << on << ", "
+            << off << exit(FatalIOError);
+    }
+    return value == on;
+}
+
+
+void Foam::fv::liggghtsCoupling::checkCase() const
+{
+    const Time& time = mesh_.time();
+
+    const fileName path
+    (
+        script_.isAbsolute() ? script_ : time.globalPath()/script_
+    );
+    const bool found = returnReduce
+    (
+        !Pstream::master() || Foam::isFile(path, false),
+        andOp<bool>()
+    );
+    if (!found)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "script " << script_ << " not found: there is no file " << path
+            << exit(FatalIOError);
+    }
+
+    if (interval_ < 1)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "couplingInterval " << interval_ << " is not positive: it is the"
+            << " number of DEM steps in a fluid step" << exit(FatalIOError);
+    }
+
+    if (time.controlDict().lookupOrDefault("adjustTimeStep", false))
+    {
+        FatalIOErrorInFunction(time.controlDict())
+            << "adjustTimeStep yes cannot be used with " << typeName
+            << ": the fluid step is couplingInterval DEM steps. Set it to no"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::checkTimeStep() const
+{
+    const scalar fluid = mesh_.time().deltaTValue();
+    const scalar dem = session_->timeStep();
+
+    // Both are typed decimal numbers: equal up to their representation
+    if (mag(fluid - interval_*dem) > 1e-9*fluid)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
+            << " s (system/controlDict), couplingInterval " << interval_
+            << ", timestep " << dem << " s (" << script_ << "), product "
+            << interval_*dem << " s.\n    Set deltaT to " << interval_*dem
+            << " or couplingInterval to " << fluid/dem << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::checkOverlap() const
+{
+    const liggghtsSession::simulationBox box = session_->box();
+    const boundBox dem
+    (
+        point(box.low[0], box.low[1], box.low[2]),
+        point(box.high[0], box.high[1], box.high[2])
+    );
+
+    if (!dem.overlaps(mesh_.bounds()))
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "No grain can ever meet the fluid: the box of " << script_ << ' '
+            << dem << " and the mesh " << mesh_.bounds()
+            << " have no part in common. Both are in metres"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::setPeriod()
+{
+    const liggghtsSession::simulationBox box = session_->box();
+    vector period(Zero);
+    point low;
+    for (direction k = 0; k < 3; ++k)
+    {
+        low[k] = box.low[k];
+        if (box.periodic[k])
+        {
+            period[k] = box.high[k] - box.low[k];
+        }
+    }
+    locator_.setPeriod(low, period);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fv::liggghtsCoupling::liggghtsCoupling
+(
+    const word& name,
+    const word& modelType,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    option(name, modelType, dict, mesh),
+    script_(coeffs_.get<fileName>("script")),
+    interval_(coeffs_.get<label>("couplingInterval")),
+    twoWay_(readSwitch(coeffs_, "coupling", "twoWay", "oneWay")),
+    drag_(selectDrag(coeffs_)),
+    fluid_(coeffs_, mesh),
+    locator_(mesh),
+    boxes_(ownerRoute::meshBoxes(mesh)),
+    voidFractionModel_
+    (
+        voidFractionModel::New(voidFractionDict(coeffs_), locator_)
+    ),
+    momentum_(grainMomentum::New(coeffs_, fluid_)),
+    shares_(locator_, boxes_),
+    log_(mesh, twoWay_),
+    timeIndex_(mesh.time().timeIndex()),
+    voidFraction_
+    (
+        coupledField("voidFraction", mesh),
+        mesh,
+        dimensionedScalar("voidFraction", dimless, scalar(1))
+    ),
+    particleVelocity_
+    (
+        coupledField("particleVelocity", mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    dragCoefficient_
+    (
+        coupledField("dragCoefficient", mesh),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    particleMomentumSource_
+    (
+        coupledField("particleMomentumSource", mesh),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero)
+    )
+{
+    fieldNames_ = wordList(1, fluid_.UName());
+    applied_.setSize(fieldNames_.size(), false);
+
+    for
+    (
+        const word& force
+      : coeffs_.lookupOrDefault<wordList>("forces", wordList())
+    )
+    {
+        forces_.append(grainForce::New(force, coeffs_, fluid_));
+    }
+    checkCase();
+
+    // LIGGGHTS needs MPI also where the solver runs without
+    UPstream::initNull();
+
+    session_.reset
+    (
+        new liggghtsSession
+        (
+            mesh.time().globalPath(),
+            coeffs_.lookupOrDefault<fileName>("log", "log.liggghts")
+        )
+    );
+    session_->start(script_);
+    checkTimeStep();
+    checkOverlap();
+    setPeriod();
+
+    double g[3];
+    const bool hasGravity = session_->gravity(g);
+    if (hasGravity)
+    {
+        fluid_.setGravity(vector(g[0], g[1], g[2]));
+    }
+    for (const grainForce& force : forces_)
+    {
+        if (force.type() == "buoyancy" && !hasGravity)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "forces: buoyancy needs gravity, but " << script_
+                << " has no fix gravity. Add it there, for instance\n"
+                << "    fix g all gravity 9.81 vector 0 0 -1\n"
+                << "or take buoyancy out of the list" << exit(FatalIOError);
+        }
+    }
+
+    guests_.reset(new guestGrains(session_(), locator_, boxes_));
+    guests_->locate();
+
+    const scalar present = session_->counts().present;
+    if (present > 0 && guests_->outside() == present)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "None of the " << present << " grains of " << script_
+            << " lies in a cell of the mesh, whose bounds are " << mesh.bounds()
+            << ". Check units (metres) and origin of script and mesh"
+            << exit(FatalIOError);
+    }
+
+    cloud_.reset(new liggghtsCloud(mesh, session_()));
+
+    Info<< "    LIGGGHTS: " << script_ << ", " << present << " grains, "
+        << interval_ << " DEM steps of " << session_->timeStep()
+        << " s per fluid step" << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    fvMatrix<vector>& eqn,
+    const label fieldi
+)
+{
+    if (eqn.dimensions() != dimVelocity/dimTime*dimVolume)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "The momentum equation has the dimensions " << eqn.dimensions()
+            << ": " << typeName << " needs an incompressible solver, whose equation"
+            << " is divided by density" << exit(FatalIOError);
+    }
+    if (mesh_.changing())
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << typeName << " needs a mesh that does not move or change"
+            << exit(FatalIOError);
+    }
+
+    if (timeIndex_ != mesh_.time().timeIndex())
+    {
+        timeIndex_ = mesh_.time().timeIndex();
+        advance();
+    }
+
+    if (twoWay_)
+    {
+        momentum_->addSup(eqn);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    const volScalarField& rho,
+    fvMatrix<vector>& eqn,
+    const label fieldi
+)
+{
+    addSup(eqn, fieldi);
+}
+
+
+bool Foam::fv::liggghtsCoupling::read(const dictionary& dict)
+{
+    return option::read(dict);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    One step of the coupling.
+
+\*---------------------------------------------------------------------------*/
+
+#include "liggghtsCoupling.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+// What a guest brings to its cells before the interval
+struct content
+{
+    scalar volume;          // m3
+    scalar mass;            // kg
+    vector momentum;        // kg m/s
+};
+
+// What a guest brings to its cells after the interval
+struct exchanged
+{
+    vector impulse;         // N s, to be taken from the fluid
+    scalar dragCoefficient; // kg/s
+    scalar slope;           // kg/s, d(impulse)/dU/dt
+};
+
+} // End anonymous namespace
+
+template<> struct is_contiguous<content> : std::true_type {};
+template<> struct is_contiguous<exchanged> : std::true_type {};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
+{
+    const UList<guestGrain>& guests = guests_->guests();
+
+    scalarField solidVolume(mesh_.nCells(), Zero);
+    scalarField mass(mesh_.nCells(), Zero);
+    vectorField& momentum = particleVelocity_.primitiveFieldRef();
+    momentum = Zero;
+
+    shares_.deposit<content>
+    (
+        [&](const label g)
+        {
+            const guestGrain& grain = guests[g];
+            return content
+            {
+                grain.volume(), grain.mass, grain.mass*grain.velocity
+            };
+        },
+        [&](const label celli, const scalar fraction, const content& c)
+        {
+            solidVolume[celli] += fraction*c.volume;
+            mass[celli] += fraction*c.mass;
+            momentum[celli] += fraction*c.momentum;
+        }
+    );
+
+    forAll(mass, celli)
+    {
+        if (mass[celli] > 0)
+        {
+            momentum[celli] /= mass[celli];
+        }
+    }
+
+    step.maxSolidFraction = gMax(scalarField(solidVolume/mesh_.V().field()));
+    step.volumeCut = voidFractionModel_->calculate(solidVolume, voidFraction_);
+}
+
+
+void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
+{
+    const UList<guestGrain>& guests = guests_->guests();
+
+    for (grainForce& force : forces_)
+    {
+        force.update();
+    }
+    const tmp<volScalarField> tnu(fluid_.nu());
+    const scalarField& nu = tnu();
+    const autoPtr<interpolation<vector>> U(fluid_.interpolate(fluid_.U()));
+    const autoPtr<interpolation<scalar>> eps(fluid_.interpolate(voidFraction_));
+
+    actions_.setSize(guests.size());
+    forAll(guests, g)
+    {
+        const guestGrain& grain = guests[g];
+        fluidAction& action = actions_[g];
+
+        action.velocity = U->interpolate(grain.position, grain.cell);
+        const scalar slip = mag(action.velocity - grain.velocity);
+
+        grainjet::drag::State state;
+        state.voidFraction = eps->interpolate(grain.position, grain.cell);
+        state.slipSpeed = slip;
+        state.diameter = grain.particleDiameter();
+        state.density = fluid_.rho();
+        state.viscosity = nu[grain.cell];
+        action.dragCoefficient = drag_(state)*grain.volume();
+
+        action.force = Zero;
+        for (const grainForce& force : forces_)
+        {
+            action.force += force.force(grain);
+        }
+
+        step.slipSum += slip;
+    }
+    step.guests = guests.size();
+}
+
+
+void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
+{
+    const UList<guestGrain>& guests = guests_->guests();
+    const scalar dt = mesh_.time().deltaTValue();
+
+    vector orphaned;
+    guests_->receiveImpulse(impulse_, orphaned);
+
+    // Forces without reaction are no business of the fluid
+    for (const grainForce& force : forces_)
+    {
+        if (!force.reaction())
+        {
+            forAll(guests, g)
+            {
+                impulse_[g] -= force.force(guests[g])*dt;
+            }
+        }
+    }
+    step.toGrains = sum(impulse_) + orphaned;
+
+    vectorField impulse(mesh_.nCells(), Zero);
+    scalarField slope(mesh_.nCells(), Zero);
+    scalarField& coefficient = dragCoefficient_.primitiveFieldRef();
+    coefficient = Zero;
+
+    shares_.deposit<exchanged>
+    (
+        [&](const label g)
+        {
+            const scalar b = actions_[g].dragCoefficient;
+            const scalar m = guests[g].mass;
+            return exchanged{impulse_[g], b, m/dt*(1 - exp(-b*dt/m))};
+        },
+        [&](const label celli, const scalar fraction, const exchanged& e)
+        {
+            impulse[celli] += fraction*e.impulse;
+            coefficient[celli] += fraction*e.dragCoefficient;
+            slope[celli] += fraction*e.slope;
+        }
+    );
+
+    coefficient /= mesh_.V().field();
+    particleMomentumSource_.primitiveFieldRef() =
+        -impulse/(dt*mesh_.V().field());
+
+    if (twoWay_)
+    {
+        momentum_->set(impulse, slope, dt);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::advance()
+{
+    const clockTime clock;
+    couplingLog::step step;
+
+    checkTimeStep();
+
+    if (twoWay_)
+    {
+        step.toFluid = momentum_->close();
+        step.owed = momentum_->owed();
+    }
+
+    guests_->locate();
+    voidFractionModel_->distribute(guests_->guests(), shares_);
+    fillCells(step);
+    evaluateFluid(step);
+    guests_->send(actions_);
+
+    const scalar before = clock.elapsedTime();
+    session_->advance(interval_);
+    step.demSeconds = clock.elapsedTime() - before;
+
+    collectMomentum(step);
+
+    step.counts = session_->counts();
+    step.outside = guests_->outside();
+    step.bytes = guests_->bytes() + shares_.bytes();
+    step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
+    log_.write(step);
+}
+
+
+// ************************************************************************* //

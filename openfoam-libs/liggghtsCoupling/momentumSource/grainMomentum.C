@@ -1,0 +1,53 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainMomentum.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(grainMomentum, 0);
+    defineRunTimeSelectionTable(grainMomentum, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::grainMomentum::grainMomentum(const carrierFluid& fluid)
+:
+    fluid_(fluid)
+{}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::grainMomentum> Foam::grainMomentum::New
+(
+    const dictionary& dict,
+    const carrierFluid& fluid
+)
+{
+    const word model(dict.lookupOrDefault<word>("momentum", "implicit"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "momentum",
+            model,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+
+    return autoPtr<grainMomentum>(cstrIter()(fluid));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,295 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liggghtsSession.H"
+#include "sessionError.H"
+#include "fluid-force/fluid_force_exchange.h"
+
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wnon-virtual-dtor"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include "lammps.h"
+#include "atom.h"
+#include "domain.h"
+#include "fix.h"
+#include "fix_gravity.h"
+#include "force.h"
+#include "input.h"
+#include "integrate.h"
+#include "library.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cstring>
+#include <limits>
+#include <unistd.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// File names in a script are relative to the case folder, while the solver may run
+// anywhere (option -case). Restores the solver's folder in the end.
+class inFolder
+{
+    char before_[4096];
+
+public:
+
+    explicit inFolder(const std::string& folder)
+    {
+        if (!getcwd(before_, sizeof(before_)) || chdir(folder.c_str()))
+        {
+            Foam::sessionError("Cannot enter the case folder " + folder);
+        }
+    }
+
+    ~inFolder()
+    {
+        if (chdir(before_))
+        {
+            Foam::sessionError(std::string("Cannot return to the folder ") + before_);
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+double Foam::liggghtsSession::insertedByFixes() const
+{
+    double sum = 0;
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (std::strncmp(fix->style, "insert/", 7) == 0)
+        {
+            sum += fix->compute_vector(0);
+        }
+    }
+    return sum;
+}
+
+
+void Foam::liggghtsSession::check(const std::string& script) const
+{
+    const std::string in = "Script " + script + ": ";
+
+    if (!lmp_->domain->box_exist)
+    {
+        sessionError(in + "no simulation box; add create_box or read_restart");
+    }
+    if (std::strcmp(lmp_->update->unit_style, "si") != 0)
+    {
+        sessionError
+        (
+            in + "units " + lmp_->update->unit_style
+          + " cannot be coupled to OpenFOAM; use units si"
+        );
+    }
+    if (!lmp_->atom->radius_flag || !lmp_->atom->rmass_flag)
+    {
+        sessionError(in + "grains need a radius and a mass; use atom_style granular");
+    }
+    if (std::strncmp(lmp_->update->integrate_style, "verlet", 6) != 0)
+    {
+        sessionError
+        (
+            in + "run_style " + lmp_->update->integrate_style
+          + " cannot be coupled; use run_style verlet"
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::liggghtsSession::liggghtsSession
+(
+    const std::string& folder,
+    const std::string& log
+)
+:
+    folder_(folder),
+    lmp_(nullptr),
+    fluidForce_(nullptr),
+    contact_(nullptr),
+    initial_(0),
+    insertedBefore_(0)
+{
+    inFolder here(folder_);
+
+    // A screen is needed (some commands print to it unasked), an open log is not
+    // wanted in the solver's output
+    std::string words[] = {"liggghts", "-log", log, "-screen", "/dev/null"};
+    char* arguments[5];
+    for (int i = 0; i < 5; ++i)
+    {
+        arguments[i] = &words[i][0];
+    }
+
+    // LIGGGHTS keeps the communicator: its messages must never meet the solver's
+    MPI_Comm world;
+    MPI_Comm_dup(MPI_COMM_WORLD, &world);
+
+    void* instance = nullptr;
+    lammps_open(5, arguments, world, &instance);
+    lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(instance);
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::liggghtsSession::~liggghtsSession()
+{
+    inFolder here(folder_);
+
+    MPI_Comm world = lmp_->world;
+    lammps_close(lmp_);
+    MPI_Comm_free(&world);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::liggghtsSession::start(const std::string& script)
+{
+    inFolder here(folder_);
+
+    lmp_->input->file(script.c_str());
+    check(script);
+
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        int dim = 0;
+
+        if (!std::strcmp(fix->style, "hertz/cg"))
+        {
+            contact_ = fix;
+        }
+        else if
+        (
+            !std::strcmp(fix->style, "fluid/force")
+         && fix->extract("fluid_force_exchange", dim)
+        )
+        {
+            fluidForce_ = fix;
+        }
+    }
+    if (!fluidForce_)
+    {
+        sessionError
+        (
+            "Script " + script + ": no fix fluid/force coupled, so the grains cannot"
+            " feel the fluid; add\n    plugin load fluidforceplugin.so\n"
+            "    fix f all fluid/force coupled"
+        );
+    }
+
+    // What the run command does, but with an end that is never reached, so that output
+    // and insertion are scheduled once and go on over all coupling intervals
+    LAMMPS_NS::Update* update = lmp_->update;
+    const int unlimited = std::numeric_limits<int>::max();
+    update->whichflag = 1;
+    update->nsteps = unlimited;
+    update->firststep = update->beginstep = update->ntimestep;
+    update->laststep = update->endstep = update->ntimestep + unlimited;
+
+    lmp_->init();
+    update->integrate->setup();
+
+    initial_ = lmp_->atom->natoms;
+    insertedBefore_ = insertedByFixes();
+}
+
+
+void Foam::liggghtsSession::advance(const int n)
+{
+    inFolder here(folder_);
+    lmp_->update->integrate->run(n);
+}
+
+
+double Foam::liggghtsSession::timeStep() const
+{
+    return lmp_->update->dt;
+}
+
+
+Foam::liggghtsSession::grainArrays Foam::liggghtsSession::grains() const
+{
+    const LAMMPS_NS::Atom& atom = *lmp_->atom;
+    return
+    {
+        atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type
+    };
+}
+
+
+LAMMPS_NS::FluidForceExchange& Foam::liggghtsSession::fluidForce() const
+{
+    int dim = 0;
+    return *static_cast<LAMMPS_NS::FluidForceExchange*>
+    (
+        fluidForce_->extract("fluid_force_exchange", dim)
+    );
+}
+
+
+double Foam::liggghtsSession::coarseGraining(const int type) const
+{
+    return lmp_->force->cg(type);
+}
+
+
+bool Foam::liggghtsSession::gravity(double (&g)[3]) const
+{
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->fix[i]);
+        if (fix)
+        {
+            fix->get_gravity(g);
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::liggghtsSession::simulationBox Foam::liggghtsSession::box() const
+{
+    const LAMMPS_NS::Domain& domain = *lmp_->domain;
+    simulationBox result;
+    for (int k = 0; k < 3; ++k)
+    {
+        result.low[k] = domain.boxlo[k];
+        result.high[k] = domain.boxhi[k];
+        result.periodic[k] = domain.periodicity[k];
+    }
+    return result;
+}
+
+
+Foam::liggghtsSession::grainCounts Foam::liggghtsSession::counts() const
+{
+    double local = lmp_->atom->nlocal;
+    grainCounts result;
+    MPI_Allreduce(&local, &result.present, 1, MPI_DOUBLE, MPI_SUM, lmp_->world);
+
+    result.inserted = initial_ + insertedByFixes() - insertedBefore_;
+    result.contacts = contact_ ? contact_->compute_vector(0) : -1;
+    result.rayleigh = contact_ ? contact_->compute_vector(3) : -1;
+
+    return result;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,32 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainShares.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::grainShares::grainShares
+(
+    const cellLocator& locator,
+    const List<boundBox>& boxes
+)
+:
+    locator_(locator),
+    route_(boxes)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::grainShares::clear()
+{
+    shares_.clear();
+    satellites_.clear();
+    foreign_.clear();
+}
+
+
+// ************************************************************************* //

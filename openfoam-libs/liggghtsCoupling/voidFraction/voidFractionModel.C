@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "voidFractionModel.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(voidFractionModel, 0);
+    defineRunTimeSelectionTable(voidFractionModel, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionModel::voidFractionModel
+(
+    const dictionary& dict,
+    const cellLocator& locator
+)
+:
+    minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
+    locator_(locator)
+{
+    if (minimum_ <= 0 || minimum_ >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "minimum " << minimum_ << " is not between 0 and 1: it is the"
+            << " lowest void fraction a cell may have, for instance 0.3"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::voidFractionModel> Foam::voidFractionModel::New
+(
+    const dictionary& dict,
+    const cellLocator& locator
+)
+{
+    const word model(dict.get<word>("model"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "model",
+            model,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+
+    return autoPtr<voidFractionModel>(cstrIter()(dict, locator));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModel::distribute
+(
+    const UList<guestGrain>& guests,
+    grainShares& shares
+) const
+{
+    shares.clear();
+    forAll(guests, g)
+    {
+        share(g, guests[g], shares);
+    }
+    shares.settle([&](const label g){ return guests[g].cell; });
+}
+
+
+Foam::scalar Foam::voidFractionModel::calculate
+(
+    const scalarField& solidVolume,
+    volScalarField& voidFraction
+) const
+{
+    const scalarField& V = voidFraction.mesh().V();
+    scalarField& eps = voidFraction.primitiveFieldRef();
+
+    scalar cut = 0;
+    forAll(eps, celli)
+    {
+        eps[celli] = 1 - solidVolume[celli]/V[celli];
+        if (eps[celli] < minimum_)
+        {
+            cut += (minimum_ - eps[celli])*V[celli];
+            eps[celli] = minimum_;
+        }
+    }
+    voidFraction.correctBoundaryConditions();
+
+    return returnReduce(cut, sumOp<scalar>());
+}
+
+
+// ************************************************************************* //
