@@ -32,11 +32,16 @@ struct ExponentialDrag {
   ExponentialDrag(double b, double kick, double mass)
   {
     const double x = b * kick / mass;
-    if (x < 0.05)    // series of 1 - phi1: the difference itself would lose digits
-      other = x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6 * (1 - x / 7)))));
-    else
-      other = 1.0 + std::expm1(-x) / x;
-    slip = b * (1.0 - other);
+    double phi1;
+    if (x < 0.05) {    // series of 1 - phi1: the difference itself would lose digits
+      other = x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6 * (1 - x / 7
+        * (1 - x / 8))))));
+      phi1 = 1.0 - other;
+    } else {
+      phi1 = -std::expm1(-x) / x;
+      other = 1.0 - phi1;
+    }
+    slip = b * phi1;
   }
 };
 
