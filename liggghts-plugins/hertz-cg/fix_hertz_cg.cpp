@@ -152,6 +152,9 @@ void FixHertzCg::init()
 
 void FixHertzCg::init_list(int, NeighList *)
 {
+  // undefined until the host's neighbour lists are initialised, which is now
+  if (neighbor->exclude_setting())
+    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; use its group instead");
   search_.set_cutoff();
 }
 
@@ -178,8 +181,6 @@ void FixHertzCg::check_host()
   if (update->whichflag == 2) error->fix_error(FLERR, this, "cannot be used with minimize");
   if (strcmp(update->integrate_style, "respa") == 0)
     error->fix_error(FLERR, this, "needs `run_style verlet`");
-  if (neighbor->exclude_setting())
-    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; use its group instead");
   if (neighbor->build_once)
     error->fix_error(FLERR, this, "cannot be used with `neigh_modify once yes`");
   if (atom->radvary_flag) error->fix_error(FLERR, this, "needs grains of constant radius");
