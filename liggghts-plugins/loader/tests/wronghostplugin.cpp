@@ -1,0 +1,14 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+/* A plugin as it would come from a build against another version of LIGGGHTS. */
+
+#include "loader/liggghtsplugin.h"
+
+#undef LIGGGHTSPLUGIN_HOST
+#define LIGGGHTSPLUGIN_HOST "LIGGGHTS-PUBLIC 2.0.0"
+
+#include "exampleplugin.cpp"
