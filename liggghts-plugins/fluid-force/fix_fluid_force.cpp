@@ -7,16 +7,12 @@
 #include "fix_fluid_force.h"
 
 #include "host/fix_arguments.h"
-#include "physics/drag/drag_laws.h"
 #include "physics/drag/exponential_drag.h"
 
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_gravity.h"
 #include "fix_property_atom.h"
-#include "force.h"
-#include "math_const.h"
 #include "modify.h"
 #include "update.h"
 
@@ -29,14 +25,12 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using grainjet::FixArguments;
 using grainjet::drag::ExponentialDrag;
-using grainjet::drag::NamedLaw;
 
 /* ---------------------------------------------------------------------- */
 
 FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  coupled_(false), wind_(), fluidDensity_(0.0), viscosity_(0.0), law_(NULL),
-  buoyancy_(false), rotation_(false), gravity_(NULL),
+  coupled_(false),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
   fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
   exchange_(), lost_(lmp, groupbit), doorOpen_(false),
@@ -55,7 +49,6 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   if (strcmp(update->unit_style, "si") != 0) arguments.fail("requires units si");
 
   create_attribute = coupled_ ? 1 : 0;
-  time_depend = 1;
   vector_flag = 1;
   size_vector = 4;
   global_freq = 1;
@@ -77,28 +70,7 @@ void FixFluidForce::parse(int narg, char **arg)
   if (kind != "uniform")
     arguments.fail("unknown style '" + kind + "'; valid styles are coupled, uniform");
 
-  for (int dim = 0; dim < 3; dim++)
-    wind_[dim] = arguments.number("the fluid velocity ux uy uz after 'uniform'");
-
-  std::string law = "gidaspow";
-  while (arguments.more()) {
-    const std::string keyword = arguments.word("keyword");
-    if (keyword == "density") fluidDensity_ = arguments.positive("density");
-    else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity");
-    else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
-    else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
-    else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
-    else
-      arguments.fail("unknown keyword '" + keyword
-        + "'; valid keywords are density, viscosity, drag, buoyancy, rotation");
-  }
-  if (fluidDensity_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
-  if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
-
-  law_ = grainjet::drag::findLaw(law, &NamedLaw::script);
-  if (!law_)
-    arguments.fail("unknown drag law '" + law + "'; valid laws are "
-      + grainjet::drag::lawNames(&NamedLaw::script));
+  uniform_.reset(new UniformFlow(lmp, arguments));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -119,7 +91,7 @@ void FixFluidForce::post_create()
   dragCoefficient_ = property("fluidDragCoefficient", 1, "0.");
   impulse_ = property("fluidImpulse", 3, "0.");
   fluidForce_ = property("fluidForce", 3, "0.");
-  if (rotation_) fluidTorque_ = property("fluidTorque", 3, "0.");
+  if (uniform_ && uniform_->rotation()) fluidTorque_ = property("fluidTorque", 3, "0.");
   if (coupled_) {
     fluidVelocity_ = property("fluidVelocity", 3, "0.");
     explicitForce_ = property("fluidExplicitForce", 3, "0.");
@@ -168,13 +140,7 @@ void FixFluidForce::init()
   if (strstr(update->integrate_style, "respa"))
     error->all(FLERR, "Fix fluid/force does not work with run_style respa, use verlet");
 
-  if (buoyancy_) {
-    gravity_ = NULL;
-    for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++)
-      gravity_ = dynamic_cast<FixGravity *>(modify->fix[ifix]);
-    if (!gravity_)
-      error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity");
-  }
+  if (uniform_) uniform_->init();
   check_other_fixes();
   if (coupled_) lost_.act_first(modify->find_fix(id));
 }
@@ -258,30 +224,21 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
   double *coefficient = dragCoefficient_->vector_atom;
   double **applied = fluidForce_->array_atom;
   double **impulse = impulse_->array_atom;
-  double buoyancy[3] = {0.0, 0.0, 0.0};    // force per volume
-  if (buoyancy_) {
-    gravity_->get_gravity(buoyancy);
-    for (double &b : buoyancy) b *= -fluidDensity_;
-  }
+  double buoyancy[3];
+  if (uniform_) uniform_->buoyancy(buoyancy);
 
   for (int i = 0; i < nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
 
     double given[3], other[3];
-    const double *fluid = wind_;
-    if (coupled_) {
-      fluid = fluidVelocity_->array_atom[i];
-      for (int dim = 0; dim < 3; dim++) given[dim] = explicitForce_->array_atom[i][dim];
-    } else {
-      const double radius = atom->radius[i];
-      const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
-      for (int dim = 0; dim < 3; dim++) given[dim] = volume * buoyancy[dim];
-    }
     for (int dim = 0; dim < 3; dim++) {
       if (remove) f[i][dim] -= applied[i][dim];
+      given[dim] = coupled_ ? explicitForce_->array_atom[i][dim]
+        : buoyancy[dim] * UniformFlow::volume(atom->radius[i]);
       other[dim] = f[i][dim] + given[dim];
     }
-    if (!coupled_) coefficient[i] = uniform_coefficient(i, other, kick);
+    if (uniform_) coefficient[i] = uniform_->dragCoefficient(i, other, kick);
+    const double *fluid = fluid_velocity(i);
 
     const ExponentialDrag drag(coefficient[i], kick, rmass[i]);
     for (int dim = 0; dim < 3; dim++) {
@@ -292,44 +249,18 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
       applied[i][dim] = force;
     }
   }
-  if (rotation_) rotational_drag(kick, remove);
+  if (fluidTorque_) rotational_drag(kick, remove);
   sumStep_ = -1;
 }
 
-/* ----------------------------------------------------------------------
-   Drag coefficient (kg/s) of grain i in the uniform flow, by the drag law with the
-   original particle's diameter and the grain's volume. Taken at the mean of the slip
-   before the kick and the slip that a first estimate leaves: second order in time, and
-   for a long time step it converges to the terminal velocity where the slip before
-   the kick alone would make it oscillate.
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-double FixFluidForce::uniform_coefficient(int i, const double *other, double kick) const
+const double *FixFluidForce::fluid_velocity(int i) const
 {
-  const double radius = atom->radius[i], mass = atom->rmass[i];
-  const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
-  double slip[3];
-  for (int dim = 0; dim < 3; dim++) slip[dim] = wind_[dim] - atom->v[i][dim];
-
-  grainjet::drag::State state;
-  state.voidFraction = 1.0;
-  state.diameter = 2.0 * radius / force->cg(atom->type[i]);
-  state.density = fluidDensity_;
-  state.viscosity = viscosity_;
-  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
-
-  const ExponentialDrag drag(law_(state) * volume, kick, mass);
-  for (int dim = 0; dim < 3; dim++)
-    slip[dim] -= 0.5 * kick / mass * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
-  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
-  return law_(state) * volume;
+  return coupled_ ? fluidVelocity_->array_atom[i] : uniform_->velocity();
 }
 
-/* ----------------------------------------------------------------------
-   Torque on a sphere that spins in a fluid at rest, -pi mu d^3 omega (Stokes; Happel &
-   Brenner 1983, 5-3). A grain's spin decays at the rate of its particles', so that
-   their rotational energies stay equal: -6 mu f_cg^2 V omega for the grain.
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void FixFluidForce::rotational_drag(double kick, bool remove)
 {
@@ -337,11 +268,8 @@ void FixFluidForce::rotational_drag(double kick, bool remove)
   double **applied = fluidTorque_->array_atom;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double radius = atom->radius[i], cg = force->cg(atom->type[i]);
-    const double volume = 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
-    const double inertia = 0.4 * atom->rmass[i] * radius * radius;
-    const ExponentialDrag drag(
-      6.0 * fluidDensity_ * viscosity_ * cg * cg * volume, kick, inertia);
+    const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+    const ExponentialDrag drag(uniform_->spinCoefficient(i), kick, inertia);
     for (int dim = 0; dim < 3; dim++) {
       if (remove) torque[i][dim] -= applied[i][dim];
       applied[i][dim] = -drag.slip * atom->omega[i][dim] - drag.other * torque[i][dim];
@@ -402,7 +330,6 @@ void *FixFluidForce::extract(const char *what, int &dim)
   dim = 0;
   if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
   doorOpen_ = true;
-  sumStep_ = -1;    // the caller may write
   refresh_exchange();
   return &exchange_;
 }
@@ -425,7 +352,7 @@ void FixFluidForce::sum()
     if (!(atom->mask[i] & groupbit)) continue;
     for (int dim = 0; dim < 3; dim++) mine[dim] += fluidForce_->array_atom[i][dim];
     if (dragCoefficient_->vector_atom[i] <= 0.0) continue;
-    const double *fluid = coupled_ ? fluidVelocity_->array_atom[i] : wind_;
+    const double *fluid = fluid_velocity(i);
     double square = 0.0;
     for (int dim = 0; dim < 3; dim++)
       square += (fluid[dim] - atom->v[i][dim]) * (fluid[dim] - atom->v[i][dim]);

@@ -16,8 +16,9 @@ FixStyle(fluid/force,FixFluidForce)
 #include "fix.h"
 #include "fluid_force_exchange.h"
 #include "lost_grains.h"
+#include "uniform_flow.h"
 
-#include "physics/drag/drag_state.h"
+#include <memory>
 
 namespace LAMMPS_NS {
 
@@ -65,15 +66,7 @@ class FixFluidForce : public Fix {
  private:
 
   bool coupled_;
-
-  // ---- style uniform
-
-  double wind_[3];                  // m/s
-  double fluidDensity_;             // kg/m3
-  double viscosity_;                // m2/s
-  grainjet::drag::Law law_;
-  bool buoyancy_, rotation_;
-  class FixGravity *gravity_;       // for the buoyancy
+  std::unique_ptr<UniformFlow> uniform_;    // NULL in style coupled
 
   // ---- per-grain state; those of the exchange are NULL in style uniform
 
@@ -97,7 +90,7 @@ class FixFluidForce : public Fix {
 
   void refresh_exchange();
   void apply(double kick, bool remove, bool book);
-  double uniform_coefficient(int, const double *other, double kick) const;
+  const double *fluid_velocity(int) const;
   void rotational_drag(double kick, bool remove);
   void sum();
 

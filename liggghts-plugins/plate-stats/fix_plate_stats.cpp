@@ -59,7 +59,6 @@ FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
 
   restart_global = 1;
   nevery = 1;
-  time_depend = 1;
   vector_flag = 1;
   size_vector = 3;
   global_freq = 1;

@@ -1,0 +1,114 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "uniform_flow.h"
+
+#include "host/fix_arguments.h"
+#include "physics/drag/drag_laws.h"
+#include "physics/drag/exponential_drag.h"
+
+#include "atom.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "force.h"
+#include "math_const.h"
+#include "modify.h"
+
+#include <cmath>
+#include <string>
+
+using namespace LAMMPS_NS;
+using grainjet::FixArguments;
+using grainjet::drag::ExponentialDrag;
+using grainjet::drag::NamedLaw;
+using grainjet::drag::State;
+
+/* ---------------------------------------------------------------------- */
+
+UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
+  Pointers(lmp), density_(0.0), viscosity_(0.0), law_(NULL),
+  buoyancy_(false), rotation_(false), gravity_(NULL)
+{
+  for (double &component : velocity_)
+    component = arguments.number("the fluid velocity ux uy uz after 'uniform'");
+
+  std::string law = "gidaspow";
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("keyword");
+    if (keyword == "density") density_ = arguments.positive("density");
+    else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity");
+    else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
+    else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
+    else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
+    else
+      arguments.fail("unknown keyword '" + keyword
+        + "'; valid keywords are density, viscosity, drag, buoyancy, rotation");
+  }
+  if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
+  if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
+
+  law_ = grainjet::drag::findLaw(law, &NamedLaw::script);
+  if (!law_)
+    arguments.fail("unknown drag law '" + law + "'; valid laws are "
+      + grainjet::drag::lawNames(&NamedLaw::script));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void UniformFlow::init()
+{
+  gravity_ = NULL;
+  if (!buoyancy_) return;
+  for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++)
+    gravity_ = dynamic_cast<FixGravity *>(modify->fix[ifix]);
+  if (!gravity_) error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void UniformFlow::buoyancy(double *force) const
+{
+  force[0] = force[1] = force[2] = 0.0;
+  if (gravity_) gravity_->get_gravity(force);
+  for (int dim = 0; dim < 3; dim++) force[dim] *= -density_;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double UniformFlow::volume(double radius)
+{
+  return 4.0 / 3.0 * MathConst::MY_PI * radius * radius * radius;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double UniformFlow::dragCoefficient(int i, const double *other, double kick) const
+{
+  const double mass = atom->rmass[i], size = volume(atom->radius[i]);
+  double slip[3];
+  for (int dim = 0; dim < 3; dim++) slip[dim] = velocity_[dim] - atom->v[i][dim];
+
+  State state;
+  state.voidFraction = 1.0;
+  state.diameter = 2.0 * atom->radius[i] / force->cg(atom->type[i]);
+  state.density = density_;
+  state.viscosity = viscosity_;
+  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+
+  const ExponentialDrag drag(law_(state) * size, kick, mass);
+  for (int dim = 0; dim < 3; dim++)
+    slip[dim] -= 0.5 * kick / mass * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
+  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+  return law_(state) * size;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double UniformFlow::spinCoefficient(int i) const
+{
+  const double cg = force->cg(atom->type[i]);
+  return 6.0 * density_ * viscosity_ * cg * cg * volume(atom->radius[i]);
+}
