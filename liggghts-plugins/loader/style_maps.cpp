@@ -6,6 +6,8 @@
 
 #include "loader/style_maps.h"
 
+#include "host/expose_member.h"
+
 #include <liggghts/lammps.h>
 #include <liggghts/fix.h>
 #include <liggghts/input.h>
@@ -17,35 +19,35 @@
 
 using namespace LAMMPS_NS;
 
-namespace {
-
 typedef Fix *(*FixCreator)(LAMMPS *, int, char **);
 typedef void (*CommandCreator)(LAMMPS *, int, char **);
 
-template <class Tag, typename Tag::type Member> struct Expose {
-  friend typename Tag::type member(Tag) { return Member; }
-};
+namespace grainjet {
 
 struct FixMap {
-  typedef std::map<std::string, FixCreator> *Modify::*type;
+  using type = std::map<std::string, FixCreator> *Modify::*;
   friend type member(FixMap);
 };
 template struct Expose<FixMap, &Modify::fix_map>;
 
 struct CommandMap {
-  typedef std::map<std::string, CommandCreator> *Input::*type;
+  using type = std::map<std::string, CommandCreator> *Input::*;
   friend type member(CommandMap);
 };
 template struct Expose<CommandMap, &Input::command_map>;
 
+}
+
+namespace {
+
 std::map<std::string, FixCreator> &fixes(LAMMPS *lmp)
 {
-  return *(lmp->modify->*member(FixMap()));
+  return *(lmp->modify->*member(grainjet::FixMap()));
 }
 
 std::map<std::string, CommandCreator> &commands(LAMMPS *lmp)
 {
-  return *(lmp->input->*member(CommandMap()));
+  return *(lmp->input->*member(grainjet::CommandMap()));
 }
 
 bool is(const liggghtsplugin_style &style, const char *kind)
