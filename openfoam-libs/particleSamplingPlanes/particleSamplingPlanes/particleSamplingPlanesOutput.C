@@ -1,0 +1,210 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "particleSamplingPlanes.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "PstreamCombineReduceOps.H"
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Adds packed rings of another rank, ring by ring
+struct mergeRings
+{
+    void operator()(scalarList& x, const scalarList& y) const
+    {
+        for (label i = 0; i < x.size(); i += ringStatistics::packedSize)
+        {
+            ringStatistics sum;
+            ringStatistics other;
+            sum.unpack(&x[i]);
+            other.unpack(&y[i]);
+            sum.merge(other);
+            sum.pack(&x[i]);
+        }
+    }
+};
+
+// The position as the user wrote it: 0.1, 10, -5
+static word tidyName(const scalar x)
+{
+    std::ostringstream buffer;
+    buffer << x;
+    return word(buffer.str(), false);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList
+Foam::functionObjects::particleSamplingPlanes::signature() const
+{
+    DynamicList<scalar> numbers;
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        numbers.append(frame_.origin()[cmpt]);
+        numbers.append(frame_.axis()[cmpt]);
+    }
+    numbers.append(frame_.diameter());
+    for (label i = 0; i <= grid_.size(); ++i)
+    {
+        numbers.append(grid_.radius(i));
+    }
+    for (const samplingPlane& plane : planes_)
+    {
+        numbers.append(plane.position());
+    }
+    return scalarList(std::move(numbers));
+}
+
+
+Foam::scalarList
+Foam::functionObjects::particleSamplingPlanes::combinedState() const
+{
+    label size = 0;
+    for (const samplingPlane& plane : planes_)
+    {
+        size += plane.packedSize();
+    }
+
+    scalarList state(size);
+    scalar* next = state.begin();
+    for (const samplingPlane& plane : planes_)
+    {
+        plane.pack(next);
+        next += plane.packedSize();
+    }
+
+    Pstream::combineGather(state, mergeRings());
+    Pstream::scatter(state);
+    return state;
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::readState
+(
+    const dictionary& dict
+)
+{
+    if (dict.lookupOrDefault("reset", false) || !foundProperty("state"))
+    {
+        return;
+    }
+
+    const scalarList wanted(signature());
+    const scalarList saved(getProperty<scalarList>("signature"));
+    bool same = (saved.size() == wanted.size());
+    for (label i = 0; same && i < saved.size(); ++i)
+    {
+        same = mag(saved[i] - wanted[i]) <= 1e-12*(1 + mag(wanted[i]));
+    }
+
+    const scalarList state(getProperty<scalarList>("state"));
+    const scalarList clock(getProperty<scalarList>("clock"));
+    if (!same || clock.size() != batchClock::packedSize)
+    {
+        FatalIOErrorInFunction(dict)
+            << "What " << name() << " sampled before the restart has other"
+            << " planes, rings or another axis. Give back the former ones,"
+            << " or begin anew with" << nl << "    reset yes;"
+            << exit(FatalIOError);
+    }
+
+    clock_.unpack(clock.begin());
+
+    // The saved numbers are those of all ranks together
+    if (Pstream::master())
+    {
+        const scalar* next = state.begin();
+        for (samplingPlane& plane : planes_)
+        {
+            plane.unpack(next);
+            next += plane.packedSize();
+        }
+    }
+
+    Log << type() << ' ' << name() << ": continues with "
+        << clock_.total() << " s sampled before" << endl;
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::publish()
+{
+    const scalarList combined(combinedState());
+
+    scalarList clock(batchClock::packedSize);
+    clock_.pack(clock.begin());
+
+    setProperty("state", combined);
+    setProperty("clock", clock);
+    setProperty("signature", signature());
+
+    const fileName folder
+    (
+        baseFileDir()/name()/Time::timeName(time_.startTime().value())
+    );
+
+    if (Pstream::master())
+    {
+        mkDir(folder);
+        writeTables(combined);
+    }
+    if (events_.valid())
+    {
+        events_->write(folder/"events.dat");
+    }
+
+    const label jumped = returnReduce(jumped_, sumOp<label>());
+    if (jumped)
+    {
+        Log << type() << ' ' << name() << ": " << jumped
+            << " moves through periodic boundaries not counted" << endl;
+    }
+
+    writtenTimeIndex_ = time_.timeIndex();
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::writeTables
+(
+    const scalarList& combined
+) const
+{
+    const fileName folder
+    (
+        baseFileDir()/name()/Time::timeName(time_.startTime().value())
+    );
+
+    Log << type() << ' ' << name() << ": crossings";
+
+    const scalar* next = combined.begin();
+    for (const samplingPlane& plane : planes_)
+    {
+        samplingPlane whole(plane.position(), grid_.size());
+        whole.unpack(next);
+        next += whole.packedSize();
+
+        const word x(tidyName(plane.position()));
+        OFstream os(folder/("plane_" + x + "D.dat"));
+        os.precision(writePrecision_ > 10 ? writePrecision_ : 10);
+        os  << "# " << type() << ' ' << name() << ", time = "
+            << time_.timeName() << " s" << nl;
+        whole.writeTable(os, grid_, frame_.diameter(), clock_);
+
+        Log << ' ' << x << "D " << whole.crossings();
+    }
+
+    Log << " in " << clock_.total() << " s sampled" << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,83 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "samplingFrame.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::samplingFrame::samplingFrame()
+:
+    origin_(Zero),
+    axis_(0, 0, 1),
+    diameter_(1)
+{}
+
+
+Foam::samplingFrame::samplingFrame(const dictionary& dict)
+:
+    origin_(dict.get<point>("origin")),
+    axis_(dict.get<vector>("axis")),
+    diameter_(dict.get<scalar>("diameter"))
+{
+    if (mag(axis_) < SMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << "axis " << axis_ << " has no direction;"
+            << " give a vector that points downstream"
+            << exit(FatalIOError);
+    }
+
+    if (diameter_ <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "diameter " << diameter_ << " must be positive [m]"
+            << exit(FatalIOError);
+    }
+
+    axis_ /= mag(axis_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::samplingFrame::radius(const point& p) const
+{
+    const vector r(p - origin_);
+    return mag(r - (r & axis_)*axis_)/diameter_;
+}
+
+
+Foam::vector Foam::samplingFrame::components
+(
+    const point& p,
+    const vector& v
+) const
+{
+    const vector r(p - origin_);
+    vector radial(r - (r & axis_)*axis_);
+
+    if (mag(radial) < ROOTVSMALL)
+    {
+        // Normal to the axis and to the coordinate direction furthest from it
+        vector across(Zero);
+        direction furthest = vector::X;
+        for (direction cmpt = 1; cmpt < vector::nComponents; ++cmpt)
+        {
+            if (mag(axis_[cmpt]) < mag(axis_[furthest]))
+            {
+                furthest = cmpt;
+            }
+        }
+        across[furthest] = 1;
+        radial = axis_ ^ across;
+    }
+    radial /= mag(radial);
+
+    return vector(v & axis_, v & radial, v & (axis_ ^ radial));
+}
+
+
+// ************************************************************************* //

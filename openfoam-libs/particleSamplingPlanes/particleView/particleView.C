@@ -1,0 +1,50 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "particleView.H"
+#include "cloudParticleView.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(particleView, 0);
+    defineRunTimeSelectionTable(particleView, cloud);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleView::particleView(const fvMesh& mesh, const word& cloudName)
+:
+    mesh_(mesh),
+    cloudName_(cloudName)
+{}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::particleView> Foam::particleView::New
+(
+    const fvMesh& mesh,
+    const word& cloudName
+)
+{
+    if (cloudConstructorTablePtr_)
+    {
+        auto cstrIter = cloudConstructorTablePtr_->cfind(cloudName);
+
+        if (cstrIter.found())
+        {
+            return cstrIter()(mesh, cloudName);
+        }
+    }
+
+    return autoPtr<particleView>(new cloudParticleView(mesh, cloudName));
+}
+
+
+// ************************************************************************* //

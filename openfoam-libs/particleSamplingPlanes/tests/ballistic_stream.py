@@ -1,0 +1,134 @@
+"""Parcels that fly straight on through a box, in stock icoUncoupledKinematicParcelFoam.
+
+Without forces each parcel keeps the velocity of its injector, so that time and place of
+every crossing of a plane are known. The stream has a parabolic profile with swirl, some
+parcels that fly backwards, and some that are so fast that they pass planes in the step of
+their injection and leave the box in the middle of a step.
+"""
+
+import math
+
+HEADER = "FoamFile {{ version 2.0; format ascii; class {0}; object {1}; }}\n"
+
+DIAMETER = 0.1          # m, unit of the planes
+LENGTH = 1.0            # m, box along z
+DT = 0.01               # s
+INJECTED = 0.995        # s, one parcel per step and injector: 100
+N_PARTICLE = 8          # real particles per parcel
+D, RHO = 1e-3, 1000.0   # m, kg/m3
+PLANES = (0.3, 1, 5, 9.9)
+RINGS, MAX_RADIUS = 4, 0.8
+
+
+def injectors():
+    """Place and velocity of each injector; one parcel per step comes from each."""
+    result = []
+    for i in range(40):                                   # the stream
+        r, angle = 0.004 + 0.0021*i, 2.4*i
+        c, s = math.cos(angle), math.sin(angle)
+        axial = 2.0*(1 - (r/0.12)**2)
+        swirl, spread = 0.3*r, 0.1*r
+        result.append(((r*c, r*s, 0.013),
+                       (spread*c - swirl*s, spread*s + swirl*c, axial)))
+    for i in range(5):                                    # against the axis
+        result.append(((0.011*i - 0.02, 0.013, 0.953), (0.0, 0.01, -1.37 - 0.1*i)))
+    for i in range(5):                                    # several planes per step
+        result.append(((0.017, 0.012*i - 0.03, 0.013), (0.02, 0.0, 30.0 + i)))
+    return result
+
+
+def crossings():
+    """(plane, direction, place, velocity, time of flight) of the crossings of one parcel of
+    each injector, if it is given the time to leave the box."""
+    result = []
+    for place, velocity in injectors():
+        for plane in PLANES:
+            flight = (plane*DIAMETER - place[2])/velocity[2]
+            if flight > 0:
+                result.append((plane, math.copysign(1, velocity[2]),
+                               [x + u*flight for x, u in zip(place, velocity)],
+                               velocity, flight))
+    return result
+
+
+def sampling(**changes):
+    """The entry in controlDict."""
+    entries = {
+        "type": "particleSamplingPlanes", "libs": '("libparticleSamplingPlanes.so")',
+        "cloud": "kinematicCloud", "origin": "(0 0 0)", "axis": "(0 0 2)",
+        "diameter": DIAMETER, "planes": "(" + " ".join(str(x) for x in PLANES) + ")",
+        "radialBins": RINGS, "maxRadius": MAX_RADIUS, **changes}
+    return "profiles { " + " ".join(
+        f"{key} {value};" for key, value in entries.items() if value is not None) + " }"
+
+
+def control(folder, end, start="startTime", functions=None, interval=20):
+    functions = sampling() if functions is None else functions
+    (folder/"system/controlDict").write_text(
+        HEADER.format("dictionary", "controlDict")
+        + f"startFrom {start}; startTime 0; stopAt endTime; endTime {end}; deltaT {DT};\n"
+        + f"writeControl timeStep; writeInterval {interval}; writeFormat binary; writePrecision 12;\n"
+        + f"timePrecision 8; runTimeModifiable no;\nfunctions {{ {functions} }}\n")
+
+
+def write(folder, end, cut="(1 1 2)", **options):
+    """Write the case."""
+    for name in ("0", "constant", "system"):
+        (folder/name).mkdir(parents=True, exist_ok=True)
+    corners = " ".join(
+        f"({x} {y} {z})" for z in (0, LENGTH)
+        for x, y in ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)))
+    texts = {
+        "system/blockMeshDict": f"vertices ({corners});\n"
+            "blocks (hex (0 1 2 3 4 5 6 7) (4 4 10) simpleGrading (1 1 1));\n"
+            "boundary ( ends { type patch; faces ((0 3 2 1)(4 5 6 7)); }\n"
+            "sides { type wall; faces ((0 1 5 4)(1 2 6 5)(2 3 7 6)(3 0 4 7)); } );",
+        "system/decomposeParDict":
+            f"numberOfSubdomains 2; method simple; simpleCoeffs {{ n {cut}; delta 0.001; }}",
+        "system/fvSchemes": "ddtSchemes { default none; } gradSchemes { default none; }\n"
+            "divSchemes { default none; } laplacianSchemes { default none; }\n"
+            "interpolationSchemes { default linear; }",
+        "system/fvSolution": "solvers {}",
+        "constant/transportProperties": "transportModel Newtonian; nu 1e-05; rhoInf 1.2;",
+        "constant/turbulenceProperties": "simulationType laminar;",
+        "constant/kinematicCloudProperties": f"""
+solution
+{{
+    active true; coupled false; transient yes; cellValueSourceCorrection off; maxCo 0.3;
+    interpolationSchemes {{ rho cell; U cell; mu cell; }}
+    integrationSchemes {{ U Euler; }}
+}}
+constantProperties {{ rho0 {RHO}; youngsModulus 1e6; poissonsRatio 0.3; }}
+subModels
+{{
+    particleForces {{}}
+    injectionModels
+    {{
+        stream
+        {{
+            type kinematicLookupTableInjection; inputFile "injectors"; randomise false;
+            massTotal 1; parcelBasisType fixed; nParticle {N_PARTICLE}; SOI 0; duration {INJECTED};
+            parcelsPerSecond {(1 + 1e-6)/DT};
+        }}
+    }}
+    dispersionModel none; patchInteractionModel none; surfaceFilmModel none;
+    stochasticCollisionModel none; collisionModel none;
+}}
+cloudFunctions {{}}
+""",
+    }
+    for name, text in texts.items():
+        (folder/name).write_text(HEADER.format("dictionary", name.split("/")[1]) + text)
+    (folder/"constant/g").write_text(
+        HEADER.format("uniformDimensionedVectorField", "g")
+        + "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);\n")
+    (folder/"0/U").write_text(
+        HEADER.format("volVectorField", "U") + "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);\n"
+        'boundaryField { ".*" { type fixedValue; value uniform (0 0 0); } }\n')
+    rows = "\n".join(
+        "(" + " ".join(repr(v) for v in place) + ") (" + " ".join(repr(v) for v in velocity)
+        + f") {D} {RHO} 1e-6" for place, velocity in injectors())
+    (folder/"constant/injectors").write_text(
+        HEADER.format("GlobalIOList<kinematicParcelInjectionData>", "injectors")
+        + f"{len(injectors())}\n(\n{rows}\n)\n")
+    control(folder, end, **options)

@@ -1,0 +1,148 @@
+"""particleSamplingPlanes against a stream of which every crossing is known."""
+
+# processors: 2
+
+import math
+import unittest
+
+import numpy
+
+import ballistic_stream as stream
+import grainjet
+
+END = 2.3        # s: by then all have left
+PARCELS = 100    # of each injector
+
+
+def table(folder, plane, start="0"):
+    """Columns of a profile by name."""
+    path = folder/f"postProcessing/profiles/{start}/plane_{plane:g}D.dat"
+    header = [line for line in path.read_text().splitlines() if line.startswith("#")][-1]
+    columns = numpy.loadtxt(path, ndmin=2).T
+    return dict(zip(header[1:].split(), columns, strict=True))
+
+
+def expected():
+    """Per plane the known crossings, one row per injector: ring, direction, axial, radial,
+    tangential velocity, time of flight."""
+    result = {plane: [] for plane in stream.PLANES}
+    for plane, direction, place, velocity, flight in stream.crossings():
+        r = math.hypot(place[0], place[1])
+        radial = (velocity[0]*place[0] + velocity[1]*place[1])/r
+        tangential = (velocity[1]*place[0] - velocity[0]*place[1])/r
+        ring = int(r/stream.DIAMETER/stream.MAX_RADIUS*stream.RINGS)
+        result[plane].append((ring, direction, velocity[2], radial, tangential, flight))
+    return {plane: numpy.array(rows) for plane, rows in result.items()}
+
+
+class Sampling(grainjet.Case):
+
+    def sample(self, folder, end=END, ranks=0, **options):
+        stream.write(folder, end, **options)
+        self.foam("blockMesh", folder)
+        if ranks:
+            self.foam("decomposePar", folder)
+        return self.foam("icoUncoupledKinematicParcelFoam", folder, ranks=ranks)
+
+    def test_counts_and_averages_are_the_known_ones(self):
+        log = self.sample(self.folder).output
+        self.assertIn(f"parcels added               = {50*PARCELS}", log)
+        for plane, rows in expected().items():
+            got = table(self.folder, plane)
+            for ring in range(stream.RINGS):
+                _, direction, axial, radial, tangential, _ = rows[rows[:, 0] == ring].T
+                inner, outer = (0.1*stream.MAX_RADIUS*k/stream.RINGS for k in (ring, ring + 1))
+                area = math.pi*(outer**2 - inner**2)
+                self.assertEqual(got["crossings"][ring], PARCELS*len(axial), (plane, ring))
+                self.assertEqual(got["forward"][ring], PARCELS*(direction > 0).sum())
+                weight = 1/abs(axial)
+                flux = PARCELS*direction.sum()*stream.N_PARTICLE/(area*END)
+                mass = stream.RHO*math.pi/6*stream.D**3
+                # Sums of at most 10^4 numbers, printed with 10 digits
+                for name, value in (
+                        ("flux_weighted_mean_axial", axial.mean()),
+                        ("flux_weighted_mean_radial", radial.mean()),
+                        ("flux_weighted_mean_tangential", tangential.mean()),
+                        ("flux_weighted_rms_axial", axial.std()),
+                        ("flux_weighted_rms_radial", radial.std()),
+                        ("flux_weighted_rms_tangential", tangential.std()),
+                        ("concentration_weighted_mean_axial", (weight*axial).sum()/weight.sum()),
+                        ("concentration_weighted_mean_radial", (weight*radial).sum()/weight.sum()),
+                        ("number_flux", flux), ("mass_flux", flux*mass)):
+                    self.assertAlmostEqual(got[name][ring], value, delta=1e-8*(1e-3 + abs(value)), msg=(plane, ring, name))
+
+    def test_ranks_do_not_change_the_counts(self):
+        # A cut in the plane at 5D, then one along the axis
+        serial, across, along = (self.folder/name for name in ("serial", "across", "along"))
+        events = stream.sampling(events="yes")
+        self.sample(serial, functions=events)
+        self.sample(across, ranks=2, cut="(1 1 2)", functions=events)
+        self.sample(along, ranks=2, cut="(2 1 1)", functions=events)
+        total = 0
+        for plane in stream.PLANES:
+            one = table(serial, plane)
+            total += PARCELS*len(expected()[plane])
+            for folder in (across, along):
+                two = table(folder, plane)
+                for name in ("crossings", "forward", "backward", "number_flux"):
+                    self.assertEqual(list(one[name]), list(two[name]), (plane, name))
+                for name in one:
+                    numpy.testing.assert_allclose(two[name], one[name], rtol=1e-7, atol=1e-9, err_msg=name)
+        for folder in (serial, across, along):
+            events = numpy.loadtxt(folder/"postProcessing/profiles/0/events.dat")
+            self.assertEqual(len(events), total)
+            self.assertTrue((numpy.diff(events[:, 0]) >= 0).all(), "in order of time")
+
+    def test_restart_continues(self):
+        once, twice = self.folder/"once", self.folder/"twice"
+        self.sample(once, ranks=2)
+        self.sample(twice, ranks=2, end=0.8)
+        stream.control(twice, END, start="latestTime")
+        log = self.foam("icoUncoupledKinematicParcelFoam", twice, ranks=2).output
+        self.assertIn("continues with 0.8 s sampled before", log)
+        for plane in stream.PLANES:
+            a, b = table(once, plane), table(twice, plane, "0.8")
+            self.assertEqual(list(a["crossings"]), list(b["crossings"]))
+            for name in a:                      # the state is kept with 16 digits
+                numpy.testing.assert_allclose(a[name], b[name], rtol=1e-8, atol=1e-10, err_msg=name)
+
+    def test_time_window(self):
+        # 0.75 < t <= 0.95; the step that ends at 0.75 only fixes the places. Where all have
+        # arrived by then, one parcel per injector crosses in each of the 20 steps; +-1 for
+        # the two ends of the window
+        self.sample(self.folder, functions=stream.sampling(timeStart=0.75, timeEnd=0.95))
+        for plane in (0.3, 1):
+            rows, got = expected()[plane], table(self.folder, plane)
+            self.assertLess(rows[:, 5].max(), 0.7)
+            for ring in range(stream.RINGS):
+                n = (rows[:, 0] == ring).sum()
+                self.assertAlmostEqual(got["crossings"][ring], 20*n, delta=n)
+        self.assertIn("sampled time = 0.2 s",
+                      (self.folder/"postProcessing/profiles/0/plane_0.3D.dat").read_text())
+
+    def assertRefused(self, words, **changes):
+        stream.control(self.folder, END, functions=stream.sampling(**changes))
+        self.assertFails(self.foam("icoUncoupledKinematicParcelFoam", check=False), *words)
+
+    def test_bad_input(self):
+        stream.write(self.folder, END)
+        self.foam("blockMesh")
+        for words, changes in (
+                (("planes is empty",), {"planes": "()"}),
+                (("planes has 1 twice",), {"planes": "(1 2 1)"}),
+                (("radialBins 0",), {"radialBins": 0}),
+                (("maxRadius -1",), {"maxRadius": -1}),
+                (("diameter 0",), {"diameter": 0}),
+                (("axis (0 0 0)",), {"axis": "(0 0 0)"}),
+                (("'origin' not found",), {"origin": None}),
+                (("binning", "equalWidth", "equalArea"), {"binning": "equal"}),
+                (("Unknown entry maxRadus", "maxRadius"), {"maxRadus": 3}),
+                (("executeControl",), {"executeControl": "writeTime"}),
+                (("No cloud nobody", "kinematicCloud"), {"cloud": "nobody"}),
+                (("No cloud liggghts", "kinematicCloud"), {"cloud": "liggghts"})):
+            with self.subTest(changes):
+                self.assertRefused(words, **changes)
+
+
+if __name__ == "__main__":
+    unittest.main()
