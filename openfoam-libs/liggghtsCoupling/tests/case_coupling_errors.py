@@ -1,0 +1,122 @@
+"""Bad input to the coupling: one clear error on every rank, exit code not 0, no hang."""
+# processors: 2
+
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import coupled_box as box
+import grainjet
+
+GRAIN = box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)])
+
+
+class BadInput(grainjet.Case):
+
+    def fails(self, *words, options=None, script=None, fluid=None, keep_script=True):
+        """Serial and on 2 ranks the run ends with an error that holds all words."""
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks, words=words):
+                folder = self.folder / f"{len(list(self.folder.iterdir()))}"
+                box.write(folder, **(fluid or {}))
+                if keep_script:
+                    box.script(folder, **{"grains": GRAIN, **(script or {})})
+                box.fv_options(folder, **(options or {}))
+                self.foam("blockMesh", folder)
+                if ranks:
+                    self.foam("decomposePar", folder)
+                result = self.foam("pimpleFoam", folder, ranks, check=False, timeout=60)
+                self.assertFails(result, "FOAM FATAL", *words)
+                self.assertNotIn("Time = ", result.output)
+
+    # the dictionary
+
+    def test_missing_script(self):
+        self.fails("fvOptions", "script", "constant/in.particles", "not found", keep_script=False)
+
+    def test_no_script_entry(self):
+        self.fails("script", "fvOptions", options={"script": None})
+
+    def test_no_interval(self):
+        self.fails("couplingInterval", "fvOptions", options={"couplingInterval": None})
+
+    def test_interval_not_positive(self):
+        self.fails("couplingInterval -5", "fvOptions", options={"couplingInterval": "-5"})
+
+    def test_unknown_coupling(self):
+        self.fails("coupling threeWay", "twoWay", "oneWay", options={"coupling": "threeWay"})
+
+    def test_unknown_drag(self):
+        self.fails("drag Newton", "Gidaspow", "KochHill", options={"drag": "Newton"})
+
+    def test_unknown_void_fraction(self):
+        self.fails("model", "bricks", "divided", "centre",
+                   options={"voidFraction": "{ model bricks; }"})
+
+    def test_void_fraction_minimum(self):
+        self.fails("minimum", "fvOptions", options={"voidFraction": "{ model divided; minimum -1; }"})
+
+    def test_unknown_force(self):
+        self.fails("forces", "magic", "pressureGradient", "viscous", "buoyancy",
+                   options={"forces": "(magic)"})
+
+    def test_unknown_interpolation(self):
+        self.fails("interpolation", "cubic", "cellPoint", options={"interpolation": "cubic"})
+
+    def test_unknown_momentum(self):
+        self.fails("momentum", "semi", "implicit", "explicit", options={"momentum": "semi"})
+
+    # the fluid's case
+
+    def test_no_density(self):
+        self.fails("rho", "transportProperties", fluid={"rho": ""})
+
+    def test_negative_density(self):
+        self.fails("rho", "transportProperties", "positive",
+                   fluid={"rho": "rho [1 -3 0 0 0 0 0] -1.2;"})
+
+    def test_adjustable_time_step(self):
+        self.fails("adjustTimeStep", "controlDict",
+                   fluid={"control": "adjustTimeStep yes; maxCo 0.5;"})
+
+    # the script
+
+    def test_script_error(self):
+        self.fails("LIGGGHTS stopped", "Unknown command: nonsense", script={"end": "nonsense 1 2 3"})
+
+    def test_script_error_of_a_fix(self):
+        self.fails("LIGGGHTS stopped", "fix nve/sphere", script={"fixes": "fix twice all nve/sphere bad"})
+
+    def test_plugin_missing(self):
+        self.fails("LIGGGHTS stopped", "nosuchplugin.so", script={"plugins": "plugin load nosuchplugin.so"})
+
+    def test_no_fluid_force(self):
+        self.fails("constant/in.particles", "fix fluid/force coupled", script={"end": "unfix fluid"})
+
+    def test_wrong_units(self):
+        self.fails("units", "si", script={"plugins": "", "grains": "", "end": "clear\nunits lj\n"
+                   "region b block 0 1 0 1 0 1\ncreate_box 1 b"})
+
+    def test_time_steps_do_not_fit(self):
+        self.fails("not couplingInterval DEM steps", "0.0001", "3e-05", "couplingInterval 10",
+                   script={"dt": 3e-6})
+
+    def test_no_gravity_for_buoyancy(self):
+        self.fails("buoyancy", "fix gravity", options={"forces": "(buoyancy)"})
+
+    # geometry
+
+    def test_boxes_apart(self):
+        self.fails("no part in common", "constant/in.particles", script={
+            "box": "1 1.02 0 0.02 0 0.04", "boundary": "f f f",
+            "grains": box.grains([(1.01, 0.01, 0.01)], [(0, 0, 1)])})
+
+    def test_no_grain_in_a_cell(self):
+        self.fails("None of the 1 grains", "constant/in.particles", script={
+            "box": "0 0.1 0 0.1 0 0.1", "boundary": "f f f",
+            "grains": box.grains([(0.05, 0.05, 0.05)], [(0, 0, 1)])})
+
+
+if __name__ == "__main__":
+    unittest.main()
