@@ -180,12 +180,11 @@ void FixHertzCg::start_motion(const double velocity[3])
   limits.wall = walls_.any ? 0.5 * search_.skin() : 0.0;
   for (int d = 0; d < 3; ++d) {
     limits.wallAxes[d] = walls_.axis[d];
-    // through an open end grains leave only at a search: do not keep them long; elsewhere no
-    // grain may pass a whole rank
-    limits.stream[d] = domain->periodicity[d] || comm->procgrid[d] > 1
-      ? 0.5 * (domain->subhi[d] - domain->sublo[d]) : HUGE_VAL;
-    if (!domain->periodicity[d])
-      limits.stream[d] = std::min(limits.stream[d], std::max(20.0 * rmax_, search_.skin()));
+    // grains go round, change rank or leave through an open end only at a search: none may get
+    // far beyond the box before, nor pass a whole rank
+    limits.stream[d] = std::max(20.0 * rmax_, search_.skin());
+    if (domain->periodicity[d] || comm->procgrid[d] > 1)
+      limits.stream[d] = std::min(limits.stream[d], 0.5 * (domain->subhi[d] - domain->sublo[d]));
   }
   motion_.start(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, velocity, limits);
 }
