@@ -164,13 +164,24 @@ void Foam::cloudParticleView::begin()
 
 bool Foam::cloudParticleView::refresh()
 {
+    const Time& time = mesh_.time();
     List<scalar> age;
+
     if (readCloud(age))
     {
+        // Only asked who is gone: they are put behind the others
+        const List<point> published(start_);
+        start_ = tracker_.startPoints
+        (
+            now_,
+            age,
+            time.deltaTValue(),
+            mesh_.bounds()
+        );
+        SubList<point>(start_, published.size()) = published;
         return true;
     }
 
-    const Time& time = mesh_.time();
     const bool known = (trackedTimeIndex_ == time.timeIndex() - 1);
     trackedTimeIndex_ = time.timeIndex();
 
