@@ -30,14 +30,16 @@ def latest_mesh(case):
     return times[-1], reader.GetOutput().GetBlock(0)
 
 
-def axial_slice(grid, field, normal=(0, 1, 0)):
+def axial_slice(grid, field, normal=(0, 1, 0), offset=1e-7):
     """Cut the mesh with the plane through the origin; values are interpolated to the points.
 
-    Returns points (n, 3), triangles (m, 3) and the field at the points."""
+    A plane in which faces of the mesh lie would cut cells on both sides or none, hence the
+    offset in m. Returns points (n, 3), triangles (m, 3) and the field at the points."""
     to_points = vtk.vtkCellDataToPointData()
     to_points.SetInputData(grid)
     plane = vtk.vtkPlane()
     plane.SetNormal(*normal)
+    plane.SetOrigin(*(offset*component for component in normal))
     cutter = vtk.vtkCutter()
     cutter.SetCutFunction(plane)
     cutter.SetInputConnection(to_points.GetOutputPort())

@@ -38,11 +38,8 @@ def main():
 
     z, x = points[:, 2]/D, points[:, 0]/D
     speed = numpy.linalg.norm(velocity, axis=1)
-    figure, axes = plt.subplots(figsize=(11, 3.6), constrained_layout=True)
-    fluid = axes.tricontourf(z, x, triangles, speed, levels=numpy.linspace(0, speed.max(), 41),
-                             cmap="viridis")
-    for edge in fluid.collections:
-        edge.set_edgecolor("face")
+    figure, axes = plt.subplots(figsize=(11, 2.95), constrained_layout=True)
+    fluid = axes.tripcolor(z, x, triangles, speed, shading="gouraud", cmap="viridis", vmin=0)
     axes.plot(shown[:, 2]/D, shown[:, 0]/D, linestyle="none", marker="o", markersize=1.6,
               markerfacecolor="white", markeredgecolor="black", markeredgewidth=0.2)
     for side in (-0.5, 0.5):
@@ -50,8 +47,8 @@ def main():
     axes.set(xlabel="$z/D$", ylabel="$x/D$", aspect="equal", xlim=(z.min(), z.max()),
              ylim=(-args.radius, args.radius),
              title=f"Grains within {0.5*args.thickness:g} D of the plane $y = 0$ "
-                   f"over fluid speed, t = {time:.3g} s")
-    bar = figure.colorbar(fluid, ax=axes, label="fluid speed, m/s", shrink=0.9, pad=0.01)
+                   f"over fluid speed at {time:.3g} s")
+    bar = figure.colorbar(fluid, ax=axes, label="fluid speed, m/s", shrink=0.95, pad=0.01)
     bar.set_ticks(numpy.arange(0, speed.max(), 2))
     args.output.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(args.output, dpi=200)

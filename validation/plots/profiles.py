@@ -35,7 +35,9 @@ def draw(axes, table, **style):
         rms.errorbar(r[good], s, yerr=s/numpy.sqrt(2*(n[good] - 1)),
                      **{**style, "label": f"{style['label']}, {name}"},
                      **({} if fill else {"markerfacecolor": "white", "linestyle": "--"}))
-    flux.errorbar(r, table["number_flux"], yerr=table["stderr_number_flux"], **style)
+    seen = n > 0
+    flux.errorbar(r[seen], 1e-9*table["number_flux"][seen],
+                  yerr=1e-9*table["stderr_number_flux"][seen], **style)
 
 
 def main():
@@ -46,22 +48,21 @@ def main():
 
     planes = tables.planes(args.folder)
     figure, axes = plt.subplots(1, 3, figsize=(13, 4.2), constrained_layout=True)
+    figure.suptitle("Particles, error bars: one standard error", fontsize=10)
     colours = plt.get_cmap("viridis")(numpy.linspace(0, 0.75, len(planes)))
     widest = 0
     for (position, path), colour, marker in zip(planes.items(), colours, MARKERS):
         table = tables.read(path)
         draw(axes, table, label=f"$z/D$ = {position:g}", color=colour, marker=marker,
              markersize=4, linewidth=1, capsize=2)
-        widest = max(widest, table["r_outer/D"][table["crossings"] > 0].max(initial=0.5))
-    labels = ("mean axial velocity, m/s", "rms velocity, m/s", "number flux, particles/(m$^2$ s)")
+        widest = max(widest, table["r_outer/D"][table["crossings"] >= ENOUGH].max(initial=0.5))
+    labels = ("mean axial velocity, m/s", "rms velocity, m/s", "number flux, $10^9$ particles/(m$^2$ s)")
     for panel, label, letter in zip(axes, labels, "abc"):
         panel.set(xlabel="$r/D$", ylabel=label, xlim=(0, widest))
         panel.set_title(f"({letter})", loc="left")
+        panel.set_ylim(0, 1.25*panel.get_ylim()[1])    # room for the legend
         panel.grid(alpha=0.3)
-        panel.legend(fontsize=8)
-    axes[0].set_ylim(bottom=0)
-    axes[1].set_ylim(bottom=0)
-    axes[2].set_ylim(bottom=0)
+        panel.legend(fontsize=8, loc="upper right", ncol=2 if letter == "b" else 1)
     args.output.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(args.output, dpi=200)
 

@@ -24,7 +24,7 @@ def shrunk_copy(folder):
     case = folder/"quickJet"
     shutil.copytree(QUICK_JET, case, ignore=shutil.ignore_patterns(
         "tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "0",
-        "0.*", "[1-9]*"))
+        "0.[0-9]*", "[1-9]*"))
     parameters = case/"system"/"parameters"
     text = parameters.read_text()
     for name, value in SHRUNK.items():
