@@ -1,0 +1,94 @@
+"""fix fluid/force: every bad value is one clear error that names the fix, and ends the run."""
+# processors: 2
+
+import unittest
+
+import grainjet
+
+SCRIPT = """
+    plugin load fluidforceplugin.so
+    atom_style {style}
+    atom_modify map array sort 0 0
+    boundary f f f
+    newton off
+    communicate single vel yes
+    units {units}
+    region box block -1 1 -1 1 -1 1 units box
+    create_box 1 box
+    neighbor 0.1 bin
+    timestep 1e-5
+    create_atoms 1 single 0 0 0 units box
+    {fixes}
+    fix i all nve/sphere
+    run 1
+"""
+
+AIR = "density 1.2 viscosity 1.5e-5"
+
+
+class BadInput(grainjet.Case):
+
+    def refused(self, fixes, *words, ranks=0, style="granular", units="si"):
+        result = self.liggghts(SCRIPT.format(fixes=fixes, style=style, units=units), ranks,
+                               check=False)
+        self.assertFails(result, "fluid/force", *words)
+        self.assertEqual(result.output.count("ERROR"), 1, result)
+
+    def test_style_and_values(self):
+        for line, words in (
+                ("", ("missing style", "coupled or uniform")),
+                ("couple", ("'couple'", "coupled, uniform")),
+                ("coupled yes", ("no keywords", "'yes'")),
+                ("uniform 1 0", ("missing", "ux uy uz")),
+                (f"uniform 1 0 density {AIR}", ("'density' is not a number", "ux uy uz")),
+                (f"uniform 1 0 nan {AIR}", ("'nan'",)),
+                ("uniform 1 0 0 viscosity 1.5e-5", ("missing keyword density",)),
+                ("uniform 1 0 0 density 1.2", ("missing keyword viscosity",)),
+                ("uniform 1 0 0 density", ("missing density",)),
+                ("uniform 1 0 0 density -1.2 viscosity 1.5e-5", ("density must be > 0", "-1.2")),
+                ("uniform 1 0 0 density 1.2 viscosity 0", ("viscosity must be > 0",)),
+                ("uniform 1 0 0 density 1.2kg viscosity 1", ("'1.2kg' is not a number",)),
+                (f"uniform 1 0 0 {AIR} drag Gidaspow",
+                 ("'Gidaspow'", "gidaspow, wenYu, ergun, schillerNaumann, stokes, diFelice, "
+                  "kochHill, beetstra")),
+                (f"uniform 1 0 0 {AIR} drag", ("missing", "drag law")),
+                (f"uniform 1 0 0 {AIR} buoyancy on", ("buoyancy must be yes or no", "'on'")),
+                (f"uniform 1 0 0 {AIR} rotation", ("missing rotation",)),
+                (f"uniform 1 0 0 {AIR} lift yes", ("unknown keyword 'lift'", "buoyancy")),
+        ):
+            with self.subTest(line):
+                self.refused(f"fix f all fluid/force {line}", "(ID f)", *words)
+
+    def test_surroundings(self):
+        good = f"fix f all fluid/force uniform 1 0 0 {AIR}"
+        for fixes, words in (
+                (f"{good} buoyancy yes", ("buoyancy", "fix gravity")),
+                (f"{good}\nfix h all fluid/force coupled", ("already one with ID f",)),
+                (f"{good}\nfix z all freeze", ("freeze", "without them")),
+                (f"{good}\nrun_style respa 2 2", ("respa",)),
+        ):
+            with self.subTest(fixes):
+                self.refused(fixes, *words)
+        self.refused(good, "units si", units="cgs")
+        self.refused(good, "granular", style="atomic")
+
+    def test_on_two_ranks(self):
+        """One message, all ranks end, no hang."""
+        self.refused(f"fix f all fluid/force uniform 1 0 0 {AIR} drag none", "'none'", ranks=2)
+        self.refused(f"fix f all fluid/force uniform 1 0 0 {AIR} buoyancy yes", "gravity", ranks=2)
+
+    def test_unfix_and_again(self):
+        """unfix takes the per-grain state away; the fix can be defined anew, and redefined."""
+        good = f"fix f all fluid/force uniform 1 0 0 {AIR}"
+        self.liggghts(SCRIPT.format(style="granular", units="si", fixes=f"""
+            {good}
+            unfix f
+            {good} rotation yes
+            {good}
+            unfix f
+            fix f all fluid/force coupled
+        """))
+
+
+if __name__ == "__main__":
+    unittest.main()

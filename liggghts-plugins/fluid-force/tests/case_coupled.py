@@ -1,0 +1,350 @@
+"""fix fluid/force in stock LIGGGHTS on several ranks: momentum is booked to the last digit
+through migration, sorting, restart, insertion and loss; bad input is refused.
+
+Style coupled is driven by a small plugin that plays the coupling (fix_fluid_door.h).
+"""
+# processors: 2
+
+import math
+import unittest
+
+import numpy
+
+import grainjet
+
+DOOR = grainjet.ROOT / "lib" / "tests" / "fluiddoorplugin.so"
+
+HEAD = """
+    plugin load fluidforceplugin.so
+    atom_style granular
+    atom_modify map array sort {sort}
+    boundary {boundary}
+    newton off
+    communicate single vel yes
+    units si
+    processors {processors}
+"""
+
+BOX = """
+    region box block 0 0.02 0 0.01 0 0.01 units box
+    create_box 1 box
+    neighbor 0.0005 bin
+    neigh_modify delay 0
+    timestep 1e-5
+"""
+
+
+class Coupled(grainjet.Case):
+
+    def head(self, boundary="p p p", sort="0 0", processors="* 1 1"):
+        return HEAD.format(boundary=boundary, sort=sort, processors=processors)
+
+    def vector(self, result, names):
+        """Values of `print` lines `name = value`."""
+        found = {}
+        for line in result.output.splitlines():
+            words = line.split()
+            if len(words) == 3 and words[1] == "=" and words[0] in names:
+                found[words[0]] = float(words[2])
+        return [found[name] for name in names]
+
+    def dump(self, name):
+        """Columns of a dump file's last frame, by atom ID."""
+        lines = (self.folder / name).read_text().splitlines()
+        start = max(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
+        rows = numpy.array([[float(w) for w in line.split()] for line in lines[start + 1:]])
+        return rows[numpy.argsort(rows[:, 0])]
+
+    # 2000 grains at set places, each with a velocity of its own, moving through all ranks
+    CLOUD = """
+        lattice sc 0.001
+        create_atoms 1 region box
+        set group all diameter 80e-6 density 2950
+        variable vx atom 20*sin(id)
+        variable vy atom 4*sin(2*id)
+        variable vz atom 4*sin(3*id)
+        velocity all set v_vx v_vy v_vz units box
+    """
+
+    WIND = "fix f all fluid/force uniform 8 1 -1 density 1.2 viscosity 1.5e-5 drag schillerNaumann"
+    DUMP = ("dump d all custom {every} {name} id mass vx vy vz f_fluidImpulse[1] "
+            "f_fluidImpulse[2] f_fluidImpulse[3]\ndump_modify d format \"%d" + 7 * " %.17g" + "\"")
+
+    def impulse_error(self, first, last):
+        """Largest |impulse - m (v1 - v0)| over the grains, relative to the largest impulse."""
+        given = last[:, 1:2] * (last[:, 2:5] - first[:, 2:5])
+        return abs(last[:, 5:8] - given).max() / abs(given).max()
+
+    def test_impulse_equals_momentum_gained(self):
+        """Free grains: sum of the impulse = m (v1 - v0), to rounding, 1e-12 over 1000 steps, when
+        grains cross ranks and are sorted."""
+        finals = []
+        for ranks, sort in ((0, "0 0"), (1, "10 0.001"), (2, "10 0.001"), (4, "0 0")):
+            script = self.head(sort=sort) + BOX + self.CLOUD + f"""
+                {self.WIND}
+                fix i all nve/sphere
+                {self.DUMP.format(every=1000, name='start.dump')}
+                run 0
+                undump d
+                {self.DUMP.format(every=1000, name='end.dump')}
+                run 1000
+            """
+            self.liggghts(script, ranks)
+            first, last = self.dump("start.dump"), self.dump("end.dump")
+            self.assertEqual(len(first), len(last))
+            self.assertGreater(len(first), 1000)
+            self.assertLess(self.impulse_error(first, last), 1e-12)
+            finals.append(last)
+        for other in finals[1:]:
+            # free grains do not know of each other: bitwise the same on any number of ranks
+            numpy.testing.assert_array_equal(other, finals[0])
+
+    def test_restart_continues(self):
+        """Impulse and momentum go on over a restart, also with another number of ranks."""
+        self.liggghts(self.head() + BOX + self.CLOUD + f"""
+            {self.WIND}
+            fix i all nve/sphere
+            {self.DUMP.format(every=1000, name='start.dump')}
+            run 0
+            undump d
+            run 500
+            write_restart half.restart
+        """, 2)
+        for ranks in (1, 2, 4):
+            self.liggghts(self.head() + f"""
+                read_restart half.restart
+                neighbor 0.0005 bin
+                neigh_modify delay 0
+                timestep 1e-5
+                {self.WIND}
+                fix i all nve/sphere
+                {self.DUMP.format(every=1000, name='end.dump')}
+                run 500
+            """, ranks)
+            self.assertLess(self.impulse_error(self.dump("start.dump"), self.dump("end.dump")), 1e-12)
+
+    PRINT = "\n".join(f'print "{name} = ${{{name}}}"' for name in
+                      ("px", "py", "pz", "ix", "iy", "iz", "lost", "lx", "ly", "lz", "lm",
+                       "fresh", "far", "fate", "atoms"))
+    NAMES = ["px", "py", "pz", "ix", "iy", "iz", "lost", "lx", "ly", "lz", "lm", "fresh", "far",
+             "fate", "atoms"]
+    VARIABLES = """
+        variable mvx atom mass*vx
+        variable mvy atom mass*vy
+        variable mvz atom mass*vz
+        compute p all reduce sum v_mvx v_mvy v_mvz
+        variable px equal c_p[1]
+        variable py equal c_p[2]
+        variable pz equal c_p[3]
+        variable ix equal f_d[1]
+        variable iy equal f_d[2]
+        variable iz equal f_d[3]
+        variable lost equal f_d[4]
+        variable lx equal f_d[5]
+        variable ly equal f_d[6]
+        variable lz equal f_d[7]
+        variable lm equal f_d[8]
+        variable fresh equal f_d[9]
+        variable far equal f_d[10]
+        variable fate equal f_d[11]
+        variable atoms equal atoms
+        thermo_style custom step atoms c_p[1] c_p[2] c_p[3] f_d[1] f_d[9]
+        thermo_modify lost ignore format float %.17g
+        thermo 1000
+    """
+
+    def test_balance_with_grains_lost(self):
+        """Momentum at the end + carried away = at the start + given by the fluid, when grains
+        leave through fixed boundaries in mid-interval and through a counting mesh."""
+        mass = math.pi / 6 * 80e-6 ** 3 * 2950
+        for ranks in (1, 2, 4):
+            result = self.liggghts(self.head(boundary="f f f") + BOX + self.CLOUD + f"""
+                plugin load {DOOR}
+                fix f all fluid/force coupled
+                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix i all nve/sphere
+                {self.VARIABLES}
+                run 0
+                {self.PRINT}
+                run 1000
+                {self.PRINT}
+            """, ranks)
+            blocks = result.output.split("Loop time")
+            start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
+            end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
+            self.assertGreater(end["lost"], 100)
+            self.assertEqual(end["atoms"] + end["lost"], start["atoms"])
+            self.assertAlmostEqual(end["lm"] / (end["lost"] * mass), 1, delta=1e-12)
+            scale = abs(end["ix"])
+            for k in "xyz":
+                balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]
+                self.assertLess(abs(balance) / scale, 1e-12, (ranks, k))
+            # at most what the fastest grain covers in an interval and the time until a loss
+            # is noticed
+            self.assertLess(end["fate"], 0.02)
+
+    def test_balance_with_deleting_mesh(self):
+        """The same with a fix massflow/mesh that deletes what crosses it, before or after the
+        fluid force in the script."""
+        stl = "solid s\n"
+        for a, b, c in (((0, 0), (0.01, 0), (0.01, 0.01)), ((0, 0), (0.01, 0.01), (0, 0.01))):
+            stl += "facet normal 1 0 0\nouter loop\n"
+            stl += "".join(f"vertex 0.0155 {p[0]} {p[1]}\n" for p in (a, b, c))
+            stl += "endloop\nendfacet\n"
+        (self.folder / "plane.stl").write_text(stl + "endsolid s\n")
+        counter = """
+            fix face all mesh/surface/planar file plane.stl type 1
+            fix count all massflow/mesh mesh face count once vec_side -1 0 0 delete_atoms yes
+        """
+        for before, after in ((counter, ""), ("", counter)):
+            result = self.liggghts(self.head() + BOX + self.CLOUD + f"""
+                fix m1 all property/global youngsModulus peratomtype 5.e6
+                plugin load {DOOR}
+                {before}
+                fix f all fluid/force coupled
+                {after}
+                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix i all nve/sphere
+                {self.VARIABLES}
+                run 0
+                {self.PRINT}
+                run 300
+                {self.PRINT}
+            """, 2)
+            blocks = result.output.split("Loop time")
+            start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
+            end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
+            self.assertGreater(end["lost"], 10)
+            self.assertEqual(end["atoms"] + end["lost"], start["atoms"])
+            for k in "xyz":
+                balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]
+                self.assertLess(abs(balance) / abs(end["ix"]), 1e-12)
+
+    def test_held_state_survives_restart(self):
+        """What the coupling wrote is held over a restart: the run goes on as if it had not
+        stopped (a set-up between the runs in both cases), to the last printed digit."""
+        columns = ("id vx f_fluidVelocity[1] f_fluidDragCoefficient f_fluidExplicitForce[1] "
+                   "f_fluidStartPosition[1] f_fluidStartPosition[2] f_fluidHost[1] f_fluidHost[2] "
+                   "f_fluidImpulse[1]")
+        dump = (f"dump d all custom 20 {{}} {columns}\n"
+                'dump_modify d format "%d' + 9 * " %.17g" + '"')
+        self.liggghts(self.head() + BOX + self.CLOUD + f"""
+            plugin load {DOOR}
+            fix f all fluid/force coupled
+            fix d all fluid/door 50 8.0 300.0 2e-8 1e-9
+            fix i all nve/sphere
+            run 120
+            unfix d
+            write_restart held.restart
+            {dump.format("held.dump")}
+            run 0
+            undump d
+            {dump.format("through.dump")}
+            run 80
+        """, 2)
+        self.liggghts(self.head() + f"""
+            read_restart held.restart
+            neighbor 0.0005 bin
+            neigh_modify delay 0
+            timestep 1e-5
+            fix f all fluid/force coupled
+            fix i all nve/sphere
+            {dump.format("read.dump")}
+            run 0
+            undump d
+            {dump.format("restarted.dump")}
+            run 80
+        """, 2)
+        held = self.dump("held.dump")
+        self.assertTrue((held[:, 3] == 2e-8).all())
+        self.assertEqual(set(held[:, 7]), {0, 1})
+        numpy.testing.assert_array_equal(self.dump("read.dump"), held)
+        through, restarted = self.dump("through.dump"), self.dump("restarted.dump")
+        self.assertGreater(abs(through[:, 9] - held[:, 9]).min(), 0)
+        numpy.testing.assert_array_equal(restarted, through)
+
+    def test_new_grains_start_with_a_defined_state(self):
+        """Grains from create_atoms, insert/stream and insert/pack: no force and no host until the
+        coupling has seen them, start position = where they were put; and the balance holds."""
+        result = self.liggghts(self.head(boundary="f f f") + BOX + f"""
+            fix m1 all property/global youngsModulus peratomtype 5.e6
+            fix m2 all property/global poissonsRatio peratomtype 0.3
+            fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+            fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
+            plugin load {DOOR}
+            fix f all fluid/force coupled
+            create_atoms 1 single 0.003 0.003 0.003 units box
+            set group all diameter 80e-6 density 2950
+            fix pt all particletemplate/sphere 15485863 atom_type 1 density constant 2950 &
+                radius constant 4e-5 volume_limit 1e-16
+            fix pd all particledistribution/discrete 32452843 1 pt 1.0
+            region half block 0.011 0.019 0.001 0.009 0.001 0.009 units box
+            fix in all insert/pack seed 86028121 distributiontemplate pd vel constant 1 0 0 &
+                insert_every 37 overlapcheck yes all_in yes particles_in_region 300 region half
+            fix d all fluid/door 50 8.0 300.0 2e-8 1e-9
+            fix i all nve/sphere
+            {self.VARIABLES}
+            dump d all custom 20 new.dump id vx x f_fluidStartPosition[1] f_fluidDragCoefficient &
+                f_fluidHost[1] f_fluidForce[1]
+            dump_modify d format "%d %.17g %.17g %.17g %.17g %.17g %.17g"
+            run 20
+            undump d
+            run 380
+            {self.PRINT}
+        """, 2)
+        young = self.dump("new.dump")
+        self.assertGreater(len(young), 100)
+        created = young[young[:, 2] == 0.003]
+        self.assertEqual(len(created), 1)
+        self.assertTrue((young[:, 4:] == [0, -1, 0]).all())
+        # pack inserts at step 1: moved at 1 m/s since, nothing has acted on it
+        others = young[young[:, 2] != 0.003]
+        self.assertTrue((others[:, 1] == 1).all())
+        moved = others[:, 2] - others[:, 3]
+        self.assertTrue((moved > 0).all() and (moved <= 20.5e-5).all(), moved)
+
+        end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
+        mass = math.pi / 6 * 80e-6 ** 3 * 2950
+        inserted = end["atoms"] + end["lost"] - 1
+        balance = end["px"] + end["lx"] - inserted * mass * 1 - end["ix"]
+        self.assertLess(abs(balance) / end["ix"], 1e-12)
+
+    def test_without_a_coupling_nothing_acts(self):
+        """coupled in stock LIGGGHTS: free flight, bit for bit, and a zero vector."""
+        dump = ('dump d all custom 200 {} id x y z vx vy vz\n'
+                'dump_modify d format "%d' + 6 * " %.17g" + '"')
+        for name, fluid in (("with", "fix f all fluid/force coupled"), ("without", "")):
+            script = self.head() + BOX + self.CLOUD + f"""
+                {fluid}
+                fix i all nve/sphere
+                {dump.format(name)}
+                run 200
+            """
+            if fluid:
+                script += "\n".join(f'variable v{n} equal f_f[{n}]\nprint "v{n} = ${{v{n}}}"'
+                                    for n in (1, 2, 3, 4))
+            result = self.liggghts(script, 2)
+            if fluid:
+                self.assertEqual(self.vector(result, ["v1", "v2", "v3", "v4"]), [0, 0, 0, 0])
+        numpy.testing.assert_array_equal(self.dump("with"), self.dump("without"))
+
+    def test_total_force_and_slip(self):
+        """Global vector against the sum over a dump, on 2 ranks; rounding of the sums."""
+        result = self.liggghts(self.head() + BOX + self.CLOUD + f"""
+            {self.WIND}
+            fix i all nve/sphere
+            dump d all custom 100 end.dump id f_fluidForce[1] f_fluidForce[2] f_fluidForce[3] vx vy vz
+            dump_modify d format "%d{6 * ' %.17g'}"
+            run 100
+        """ + "\n".join(f'variable v{n} equal f_f[{n}]\nprint "v{n} = ${{v{n}}}"'
+                        for n in (1, 2, 3, 4)), 2)
+        rows = self.dump("end.dump")
+        slip = numpy.linalg.norm(rows[:, 4:7] - [8, 1, -1], axis=1).mean()
+        expected = [*rows[:, 1:4].sum(axis=0), slip]
+        numpy.testing.assert_allclose(self.vector(result, ["v1", "v2", "v3", "v4"]), expected,
+                                      rtol=1e-6)    # `print` shows ten digits
+        self.assertEqual(rows.shape[0], 2000)
+
+
+if __name__ == "__main__":
+    unittest.main()
