@@ -265,7 +265,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
             coeffs_.lookupOrDefault<fileName>("log", "log.liggghts")
         )
     );
-    session_->start(script_);
+    const fileName grainFile(couplingRestart::startFile(mesh.time()));
+    session_->start(script_, grainFile);
     checkTimeStep();
     checkOverlap();
     setPeriod();
@@ -303,7 +304,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     cloud_.reset(new liggghtsCloud(mesh, session_()));
 
-    Info<< "    LIGGGHTS: " << script_ << ", " << present << " grains, "
+    restart_.reset(new couplingRestart(mesh, session_(), momentum_()));
+
+    Info<< "    LIGGGHTS: " << script_ << ", " << present
+        << (grainFile.empty() ? " new" : " continued") << " grains, "
         << interval_ << " DEM steps of " << session_->timeStep()
         << " s per fluid step" << nl << endl;
 }

@@ -13,7 +13,9 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "lammps.h"
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "fix.h"
 #include "fix_gravity.h"
 #include "force.h"
@@ -23,6 +25,7 @@
 #include "modify.h"
 #include "update.h"
 
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <unistd.h>
@@ -77,9 +80,9 @@ double Foam::liggghtsSession::insertedByFixes() const
 }
 
 
-void Foam::liggghtsSession::check(const std::string& script) const
+void Foam::liggghtsSession::check() const
 {
-    const std::string in = "Script " + script + ": ";
+    const std::string in = "Script " + script_ + ": ";
 
     if (!lmp_->domain->box_exist)
     {
@@ -108,6 +111,54 @@ void Foam::liggghtsSession::check(const std::string& script) const
 }
 
 
+void Foam::liggghtsSession::findFixes()
+{
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        int dim = 0;
+
+        if (!std::strcmp(fix->style, "hertz/cg"))
+        {
+            contact_ = fix;
+        }
+        else if
+        (
+            !std::strcmp(fix->style, "fluid/force")
+         && fix->extract("fluid_force_exchange", dim)
+        )
+        {
+            fluidForce_ = fix;
+        }
+    }
+    if (!fluidForce_)
+    {
+        sessionError
+        (
+            "Script " + script_ + ": no fix fluid/force coupled, so the grains cannot"
+            " feel the fluid; add\n    plugin load fluidforceplugin.so\n"
+            "    fix f all fluid/force coupled"
+        );
+    }
+}
+
+
+void Foam::liggghtsSession::setup()
+{
+    // What the run command does, but with an end that is never reached, so that output
+    // and insertion are scheduled once and go on over all coupling intervals
+    LAMMPS_NS::Update* update = lmp_->update;
+    const int unlimited = std::numeric_limits<int>::max();
+    update->whichflag = 1;
+    update->nsteps = unlimited;
+    update->firststep = update->beginstep = update->ntimestep;
+    update->laststep = update->endstep = update->ntimestep + unlimited;
+
+    lmp_->init();
+    update->integrate->setup();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::liggghtsSession::liggghtsSession
@@ -120,8 +171,7 @@ Foam::liggghtsSession::liggghtsSession
     lmp_(nullptr),
     fluidForce_(nullptr),
     contact_(nullptr),
-    initial_(0),
-    insertedBefore_(0)
+    insertedOffset_(0)
 {
     inFolder here(folder_);
 
@@ -158,55 +208,68 @@ Foam::liggghtsSession::~liggghtsSession()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::liggghtsSession::start(const std::string& script)
+void Foam::liggghtsSession::start
+(
+    const std::string& script,
+    const std::string& restart
+)
 {
     inFolder here(folder_);
+    script_ = script;
 
-    lmp_->input->file(script.c_str());
-    check(script);
-
-    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    const bool continued = !restart.empty();
+    for
+    (
+        const std::string& variable :
+        {
+            std::string("continued equal ") + (continued ? "1" : "0"),
+            "restart string " + (continued ? restart : std::string("none"))
+        }
+    )
     {
-        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
-        int dim = 0;
-
-        if (!std::strcmp(fix->style, "hertz/cg"))
-        {
-            contact_ = fix;
-        }
-        else if
-        (
-            !std::strcmp(fix->style, "fluid/force")
-         && fix->extract("fluid_force_exchange", dim)
-        )
-        {
-            fluidForce_ = fix;
-        }
+        lmp_->input->one(("variable " + variable).c_str());
     }
-    if (!fluidForce_)
+    lmp_->input->file(script.c_str());
+
+    check();
+    findFixes();
+
+    if (continued && lmp_->update->ntimestep == 0)
     {
         sessionError
         (
-            "Script " + script + ": no fix fluid/force coupled, so the grains cannot"
-            " feel the fluid; add\n    plugin load fluidforceplugin.so\n"
-            "    fix f all fluid/force coupled"
+            "Script " + script + ": the run continues a former one, but the script"
+            " has not read its grains from " + restart
+          + "\n    Where it makes the box, let it do instead, if \"${restart} != none\","
+            "\n    read_restart ${restart}"
         );
     }
 
-    // What the run command does, but with an end that is never reached, so that output
-    // and insertion are scheduled once and go on over all coupling intervals
-    LAMMPS_NS::Update* update = lmp_->update;
-    const int unlimited = std::numeric_limits<int>::max();
-    update->whichflag = 1;
-    update->nsteps = unlimited;
-    update->firststep = update->beginstep = update->ntimestep;
-    update->laststep = update->endstep = update->ntimestep + unlimited;
+    setup();
 
-    lmp_->init();
-    update->integrate->setup();
+    insertedOffset_ = lmp_->atom->natoms - insertedByFixes();
+}
 
-    initial_ = lmp_->atom->natoms;
-    insertedBefore_ = insertedByFixes();
+
+void Foam::liggghtsSession::writeRestart(const std::string& file)
+{
+    inFolder here(folder_);
+
+    const std::string partial = file + ".partial";
+    lmp_->update->whichflag = 0;
+    lmp_->input->one(("write_restart " + partial).c_str());
+    if (lmp_->comm->me == 0 && std::rename(partial.c_str(), file.c_str()))
+    {
+        lmp_->error->one(FLERR, ("Cannot write " + file).c_str());
+    }
+
+    setup();
+}
+
+
+void Foam::liggghtsSession::setInserted(const double inserted)
+{
+    insertedOffset_ = inserted - insertedByFixes();
 }
 
 
@@ -284,7 +347,7 @@ Foam::liggghtsSession::grainCounts Foam::liggghtsSession::counts() const
     grainCounts result;
     MPI_Allreduce(&local, &result.present, 1, MPI_DOUBLE, MPI_SUM, lmp_->world);
 
-    result.inserted = initial_ + insertedByFixes() - insertedBefore_;
+    result.inserted = insertedOffset_ + insertedByFixes();
     result.contacts = contact_ ? contact_->compute_vector(0) : -1;
     result.rayleigh = contact_ ? contact_->compute_vector(3) : -1;
 

@@ -8,6 +8,13 @@ import pathlib
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
+# what a new run begins with, and a continued one finds in its restart file
+NEW = """
+region box block {box} units box
+create_box 1 box
+{grains}
+"""
+
 SCRIPT = """
 plugin load fluidforceplugin.so
 {plugins}
@@ -18,15 +25,18 @@ boundary {boundary}
 newton off
 communicate single vel yes
 {processors}
-region box block {box} units box
-create_box 1 box
+if "${{continued}}" then "jump SELF continued"
+include constant/new.grains
+jump SELF ready
+label continued
+read_restart ${{restart}}
+label ready
 neighbor 0.0005 bin
 neigh_modify delay 0 binsize 0.002
 fix m1 all property/global youngsModulus peratomtype 5.e6
 fix m2 all property/global poissonsRatio peratomtype 0.3
 fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
-{grains}
 timestep {dt}
 fix move all nve/sphere
 {gravity}
@@ -51,11 +61,11 @@ def grains(positions, velocities, diameter=2e-4, density=2500.0):
 def script(folder, *, grains, dt=1e-5, gravity="", fixes="", plugins="", processors="",
            box="0 0.02 0 0.02 0 0.04", boundary="p p p", end="", name="in.particles"):
     """Write the input script of LIGGGHTS into constant/."""
-    text = SCRIPT.format(grains=grains, dt=dt, gravity=gravity, fixes=fixes, plugins=plugins,
-                         processors=processors, box=box, boundary=boundary, end=end)
-    path = pathlib.Path(folder) / "constant" / name
-    path.write_text(text)
-    return path
+    constant = pathlib.Path(folder) / "constant"
+    (constant / "new.grains").write_text(NEW.format(box=box, grains=grains))
+    (constant / name).write_text(SCRIPT.format(
+        dt=dt, gravity=gravity, fixes=fixes, plugins=plugins, processors=processors,
+        boundary=boundary, end=end))
 
 
 def fv_options(folder, text="", **entries):
@@ -107,9 +117,9 @@ boundary ({patches});
     put("system/controlDict", "dictionary", f"""
 application pimpleFoam;
 libs {libs};
-startFrom startTime; startTime 0; stopAt endTime; endTime {delta_t * steps!r};
+startFrom latestTime; stopAt endTime; endTime {delta_t * steps!r};
 deltaT {delta_t!r}; writeControl timeStep; writeInterval {write_every or steps};
-writeFormat ascii; writePrecision 16; timePrecision 10; runTimeModifiable no;
+writeFormat ascii; writePrecision 17; timePrecision 10; runTimeModifiable no;
 {control}
 functions {{ {functions} }}
 """)

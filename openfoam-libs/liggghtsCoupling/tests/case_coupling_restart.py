@@ -1,0 +1,98 @@
+"""A coupled run that is stopped and continued."""
+# processors: 2
+
+import pathlib
+import shutil
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import coupled_box as box
+import grainjet
+from case_coupling import swarm
+
+DUMP = ("dump d all custom 100 grains.*.dump id x y z vx vy vz\n"
+        'dump_modify d format "%d %.17g %.17g %.17g %.17g %.17g %.17g" sort id')
+FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient",
+          "particleMomentumSource", "particleMomentumOwed")
+
+
+class Restart(grainjet.Case):
+
+    def write(self, name, steps):
+        folder = self.folder / name
+        box.write(folder, steps=steps, write_every=20)
+        x, v = swarm(300, 5)
+        box.script(folder, grains=box.grains(x, v), end=DUMP)
+        box.fv_options(folder, interpolation="cell")
+        return folder
+
+    def end_at(self, folder, steps):
+        control = folder / "system/controlDict"
+        text = control.read_text()
+        start = text.index("endTime", text.index("stopAt endTime;") + 15)
+        stop = text.index(";", start)
+        control.write_text(f"{text[:start]}endTime {steps * 1e-4!r}{text[stop:]}")
+
+    def interrupted(self, ranks=0):
+        """40 steps in one run, and in two runs of 20."""
+        whole, parts = self.write("whole", 40), self.write("parts", 20)
+        for folder in (whole, parts):
+            self.foam("blockMesh", folder)
+            if ranks:
+                self.foam("decomposePar", folder)
+            self.foam("pimpleFoam", folder, ranks)
+        self.end_at(parts, 40)
+        result = self.foam("pimpleFoam", parts, ranks)
+        self.assertIn("300 continued grains", result.output)
+        return whole, parts
+
+    def test_serial_bit_for_bit(self):
+        whole, parts = self.interrupted()
+        for field in FIELDS:
+            a, b = ((f / "0.004" / field).read_bytes() for f in (whole, parts))
+            self.assertEqual(a, b, field)
+        a, b = (box.read_dump(f / "grains.400.dump") for f in (whole, parts))
+        self.assertEqual(a, b)
+
+    def test_parallel(self):
+        """2 ranks: LIGGGHTS may order its grains differently after a restart, and sums in
+        cells follow that order: round-off, 1e-12 relative."""
+        whole, parts = self.interrupted(2)
+        for folder in (whole, parts):
+            self.foam("reconstructPar", folder)
+        for field in ("U", "voidFraction", "particleMomentumSource"):
+            a, b = (box.read_internal(f / "0.004" / field) for f in (whole, parts))
+            a, b = ([c for v in f for c in (v if isinstance(v, tuple) else (v,))] for f in (a, b))
+            scale = max(abs(c) for c in a)
+            self.assertLess(max(abs(p - q) for p, q in zip(a, b)), 1e-12 * scale, field)
+
+    def test_half_written_is_refused(self):
+        """A time folder without complete grains stops the run and says what to do."""
+        folder = self.write("killed", 40)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        grains = folder / "0.004/uniform/liggghts.restart"
+        grains.rename(grains.with_suffix(".restart.partial"))
+        self.end_at(folder, 60)
+        result = self.foam("pimpleFoam", folder, check=False)
+        self.assertFails(result, "grains of time 0.004 are missing", "liggghts.restart")
+        shutil.rmtree(folder / "0.004")
+        self.foam("pimpleFoam", folder)
+
+    def test_script_that_ignores_the_restart(self):
+        folder = self.write("ignores", 20)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        script = folder / "constant/in.particles"
+        lines = [line for line in script.read_text().splitlines() if "restart" not in line]
+        at = next(i for i, line in enumerate(lines) if line.startswith("neighbor"))
+        lines.insert(at, "include constant/new.grains")
+        script.write_text("\n".join(lines) + "\n")
+        self.end_at(folder, 40)
+        result = self.foam("pimpleFoam", folder, check=False)
+        self.assertFails(result, "has not read its grains", "read_restart ${restart}")
+
+
+if __name__ == "__main__":
+    unittest.main()
