@@ -1,0 +1,81 @@
+"""Grains thrown at plates, for the tests of fix plate/stats."""
+
+import csv
+import math
+
+import grainjet
+
+D, RHO = 80e-6, 2950.0
+MASS = math.pi / 6 * D ** 3 * RHO
+YOUNG, POISSON = 5e6, 0.3
+
+HEAD = """
+    plugin load platestatsplugin.so
+    atom_style granular
+    atom_modify map array sort 0 0
+    boundary f f f
+    newton off
+    communicate single vel yes
+    units si
+    processors {processors}
+"""
+
+MATERIAL = """
+    neighbor 0.0002 bin
+    neigh_modify delay 0
+    fix m1 all property/global youngsModulus peratomtype {young}
+    fix m2 all property/global poissonsRatio peratomtype {poisson}
+    fix m3 all property/global coefficientRestitution peratomtypepair 1 {e}
+    fix m4 all property/global coefficientFriction peratomtypepair 1 {mu}
+    {pair}
+    timestep {dt!r}
+    fix g all gravity {gravity} vector 0 0 -1
+"""
+
+PAIR = "pair_style gran model hertz tangential history\npair_coeff * *"
+
+PLANE = """
+    fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0 store_force yes
+"""
+
+PLATE = ("fix p all plate/stats wall w centre 0 0 0 normal 0 0 1 radius 0.005 rings 5 "
+         "file plate.csv events events.csv")
+
+
+def hertz(speed, young=YOUNG):
+    """Peak force and duration of a normal elastic impact of a sphere on a plate of its own
+    material (Johnson, Contact Mechanics, 11.4)."""
+    modulus = young / (2 * (1 - POISSON ** 2))
+    k = 4 / 3 * modulus * math.sqrt(D / 2)
+    depth = (5 * MASS * speed ** 2 / (4 * k)) ** 0.4
+    return k * depth ** 1.5, 2.94328 * depth / speed
+
+
+class PlateCase(grainjet.Case):
+
+    def data(self, grains, name="grains.data"):
+        """A data file with grains (x, y, z, vx, vy, vz)."""
+        lines = ["grains", "", f"{len(grains)} atoms", "1 atom types", "",
+                 "-0.01 0.01 xlo xhi", "-0.01 0.01 ylo yhi", "-0.001 0.02 zlo zhi", "", "Atoms", ""]
+        lines += [f"{i} 1 {D!r} {RHO!r} {g[0]!r} {g[1]!r} {g[2]!r}" for i, g in enumerate(grains, 1)]
+        lines += ["", "Velocities", ""]
+        lines += [f"{i} {g[3]!r} {g[4]!r} {g[5]!r} 0 0 0" for i, g in enumerate(grains, 1)]
+        (self.folder / name).write_text("\n".join(lines) + "\n")
+
+    def script(self, body, e=1.0, mu=0.2, dt=1e-7, gravity=0.0, processors="* 1 1",
+               read="read_data grains.data", before="", wall=PLANE, pair=PAIR, young=YOUNG):
+        """Input script; pair="" for grains that do not know of each other."""
+        material = MATERIAL.format(young=young, poisson=POISSON, e=e, mu=mu, dt=dt, gravity=gravity,
+                                   pair=pair)
+        return (HEAD.format(processors=processors) + before + f"\n{read}\n" + material + wall
+                + "\nfix i all nve/sphere\n" + body)
+
+    def table(self, name="plate.csv"):
+        """The statistics by region, numbers as floats."""
+        with open(self.folder / name, newline="") as file:
+            return {row["region"]: {k: float(v) for k, v in row.items() if k != "region"}
+                    for row in csv.DictReader(file)}
+
+    def events(self, name="events.csv"):
+        with open(self.folder / name, newline="") as file:
+            return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
