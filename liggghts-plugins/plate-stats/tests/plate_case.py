@@ -22,7 +22,7 @@ HEAD = """
 
 MATERIAL = """
     neighbor 0.0002 bin
-    neigh_modify delay 0
+    neigh_modify delay 0 binsize 0.002
     fix m1 all property/global youngsModulus peratomtype {young}
     fix m2 all property/global poissonsRatio peratomtype {poisson}
     fix m3 all property/global coefficientRestitution peratomtypepair 1 {e}

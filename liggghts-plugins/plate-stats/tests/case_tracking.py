@@ -1,0 +1,242 @@
+"""fix plate/stats: collisions that meet a mesh edge, another rank, a restart, the end of the
+run, a deletion or a kill; stats_start; bad input."""
+# processors: 2
+
+import math
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+import grainjet
+from plate_case import D, PLATE, PlateCase, hertz
+
+MESH = """
+    fix disc all mesh/surface file disc.stl type 1
+    fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes disc store_force yes
+"""
+
+
+class Tracking(PlateCase):
+
+    def disc(self, radius=0.006, sectors=24):
+        """An STL disc around the origin, normal along z, cut like a cake."""
+        corner = [(radius * math.cos(2 * math.pi * i / sectors),
+                   radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors + 1)]
+        text = "solid disc\n"
+        for p, q in zip(corner, corner[1:]):
+            text += "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+            text += f"vertex {p[0]:.9e} {p[1]:.9e} 0\nvertex {q[0]:.9e} {q[1]:.9e} 0\n"
+            text += "endloop\nendfacet\n"
+        (self.folder / "disc.stl").write_text(text + "endsolid disc\n")
+
+    def test_mesh_plate_equals_primitive_plate(self):
+        """A disc of triangles gives the statistics of the plane: grains in the middle of
+        triangles to the last digits, and also one that slides over an edge in contact."""
+        middle = math.pi / 24
+        grains = [(r * math.cos(middle + 2 * math.pi / 24 * k), r * math.sin(middle + 2 * math.pi / 24 * k),
+                   D + 1e-4 * k, 0.2 * k, -0.1 * k, -2.0) for k, r in enumerate((0.0015, 0.0025, 0.0035))]
+        grains.append((0.0042, -10e-6 - (D / 2) / 2.0 * 2.5, D, 0.0, 2.5, -2.0))
+        self.data(grains)
+        self.disc()
+        tables = []
+        for wall in ({}, {"wall": MESH}):
+            self.liggghts(self.script(f"{PLATE}\nrun 4000", **wall), 2)
+            tables.append(self.table()["all"])
+            self.assertEqual([e["id"] for e in self.events()], [1, 4, 2, 3])
+        plane, mesh = tables
+        self.assertEqual(mesh["collisions"], 4)
+        for key, value in plane.items():
+            # coordinates in the STL file and the edge's two triangles leave some 1e-3
+            if not math.isnan(value) and key.endswith(("_mean", "collisions", "touching", "deleted")):
+                self.assertAlmostEqual(mesh[key], value, delta=2e-3 * abs(value) + 1e-12, msg=key)
+
+    def test_several_plates_on_one_wall(self):
+        """Two round plates on the same plane, each sees its own."""
+        second = ("fix q all plate/stats wall w centre 0.004 0 0 normal 0 0 -1 radius 0.001 rings 1 "
+                  "file second.csv")
+        first = PLATE.replace("radius 0.005", "radius 0.001")
+        self.data([(0, 0, D, 0, 0, -2.0), (0.0042, 0, 2 * D, 0, 0, -2.0),
+                   (0.0038, 0, 3 * D, 0, 0, -2.0), (0.002, 0, D, 0, 0, -2.0)])
+        self.liggghts(self.script(f"{first}\n{second}\nrun 3000"))
+        self.assertEqual(self.table()["all"]["collisions"], 1)
+        self.assertEqual(self.table("second.csv")["all"]["collisions"], 2)
+        self.assertGreater(self.table("second.csv")["all"]["normal_force_mean"], 0)
+
+    def test_migration_in_mid_collision(self):
+        """A grain changes rank while it touches: the same line in the events file as on one
+        rank, to the last digit."""
+        vx, vz = 5.0, -2.0
+        flight = (D / 2) / 2.0
+        # touches at x = -25 um, travels about 50 um in contact: the ranks' border is at 0
+        self.data([(-25e-6 - vx * flight, 0, D, vx, 0.0, vz)])
+        written = []
+        for ranks in (1, 2):
+            self.liggghts(self.script(f"""
+                {PLATE}
+                dump d all custom 1 path.dump id x f_plateStats_p[1]
+                neigh_modify every 1 delay 0 check no
+                run 600"""), ranks)
+            written.append((self.folder / "events.csv").read_text())
+        self.assertEqual(written[0].count("\n"), 2)
+        self.assertEqual(written[1], written[0])
+        rows = [line.split() for line in (self.folder / "path.dump").read_text().splitlines()]
+        touching = [float(r[1]) for r in rows if len(r) == 3 and r[0] == "1" and float(r[2]) > 0]
+        self.assertLess(min(touching), -1e-5)
+        self.assertGreater(max(touching), 1e-5)
+
+    def test_restart_in_mid_collision(self):
+        """Written in the middle of a contact, read by another number of ranks: the rest of the
+        run is as without, bit for bit, statistics and events file."""
+        self.data([(0.0005, 0, D, 1.0, 0, -2.0), (0.0015, 0, 3 * D, 0, 1.0, -2.0),
+                   (0.0025, 0, 5 * D, 1.0, 1.0, -2.0)])
+        body = f"{PLATE}\nrun 1050\n{{}}\nrun 2000"
+        middle = self.liggghts(self.script(body.format(
+            "write_restart mid.restart\nvariable t equal f_p[2]\nprint \"touching $t\"")))
+        self.assertIn("touching 1", middle.output)
+        self.assertEqual(len(self.events()), 3)
+        through = (self.folder / "plate.csv").read_text(), (self.folder / "events.csv").read_text()
+        for ranks in (1, 2):
+            # the events file now holds lines that the restarted run writes again
+            self.liggghts(self.script(f"{PLATE}\nrun 2000", read="read_restart mid.restart"), ranks)
+            self.assertEqual((self.folder / "plate.csv").read_text(), through[0])
+            self.assertEqual((self.folder / "events.csv").read_text(), through[1])
+
+    def test_restart_with_changes(self):
+        """Other rings: refused. Another stats_start: statistics begin anew. A shorter events
+        file: refused rather than filled with a hole."""
+        self.data([(0.0005, 0, D, 0, 0, -2.0), (0.0015, 0, 3 * D, 0, 0, -2.0)])
+        self.liggghts(self.script(f"{PLATE}\nrun 1000\nwrite_restart r.restart"))
+        read = "read_restart r.restart"
+        result = self.liggghts(self.script(PLATE.replace("rings 5", "rings 4"), read=read), check=False)
+        self.assertFails(result, "plate/stats", "another number of rings")
+        (self.folder / "events.csv").write_text("time\n")
+        result = self.liggghts(self.script(PLATE, read=read), check=False)
+        self.assertFails(result, "events.csv", "shorter")
+        self.liggghts(self.script(f"{PLATE} stats_start 0.0001\nrun 2000".replace("events.csv", "e2.csv"),
+                                  read=read))
+        row = self.table()["all"]
+        self.assertEqual(row["collisions"], 1)
+        self.assertAlmostEqual(row["time"], 2000e-7, delta=1e-12)
+
+    def test_still_touching_at_the_end(self):
+        """Counts as touching, not as a collision."""
+        self.data([(0, 0, D, 0, 0, -2.0)])
+        self.liggghts(self.script(f"{PLATE}\nrun 250"))
+        row = self.table()["ring1"]
+        self.assertEqual((row["collisions"], row["touching"], row["deleted"]), (0, 1, 0))
+        self.assertEqual(self.events(), [])
+
+    def test_deleted_while_touching(self):
+        """Counts as deleted; the others are not disturbed."""
+        self.data([(0, 0, D, 0, 0, -2.0), (0.0015, 0, 4 * D, 0, 0, -2.0)])
+        result = self.liggghts(self.script(f"""
+            {PLATE}
+            run 250
+            group gone id 1
+            delete_atoms group gone compress no
+            run 2500
+            variable c equal f_p[1]
+            variable t equal f_p[2]
+            variable d equal f_p[3]
+            print "vector $c $t $d" """), 2)
+        self.assertIn("vector 1 0 1", result.output)
+        table = self.table()
+        row = table["ring1"]
+        self.assertEqual((row["collisions"], row["touching"], row["deleted"]), (0, 0, 1))
+        self.assertEqual((table["ring2"]["collisions"], table["ring2"]["deleted"]), (1, 0))
+
+    def test_stats_start(self):
+        """Collisions that begin earlier do not count, and time counts from there."""
+        self.data([(0.0005 + 0.001 * i, 0, D / 2 + 2.0 * 5e-5 * (i + 1), 0, 0, -2.0) for i in range(4)])
+        self.liggghts(self.script(f"{PLATE} stats_start 0.000125\nrun 3000"))
+        table = self.table()
+        self.assertEqual([table[f"ring{i}"]["collisions"] for i in range(1, 6)], [0, 0, 1, 1, 0])
+        self.assertAlmostEqual(table["all"]["time"], 3e-4 - 1.25e-4, delta=1e-12)
+        self.assertEqual(len(self.events()), 2)
+
+    def test_contact_from_before_does_not_count(self):
+        """A grain that touches already when the fix is defined has no known beginning."""
+        self.data([(0, 0, D, 0, 0, -2.0), (0.0015, 0, 4 * D, 0, 0, -2.0)])
+        self.liggghts(self.script(f"run 250\n{PLATE}\nrun 2500"))
+        row = self.table()["all"]
+        self.assertEqual((row["collisions"], row["touching"], row["deleted"]), (1, 0, 0))
+
+    def test_killed_run_leaves_a_readable_events_file(self):
+        """kill -9 in full flow, a few times: every line is complete and the statistics file whole."""
+        grains = [(-0.004 + 0.0004 * i, -0.004 + 0.0004 * j, D * (1 + 0.01 * ((7 * i + j) % 97)), 0, 0, -2.0)
+                  for i in range(20) for j in range(20)]
+        self.data(grains)
+        script = self.script(f"{PLATE.replace('file', 'every 100 file')}\nrun 100000000", gravity=2e4, pair="")
+        (self.folder / "in.test").write_text(script)
+        for patience in (1.0, 1.3):
+            for name in ("events.csv", "plate.csv"):
+                (self.folder / name).unlink(missing_ok=True)
+            process = subprocess.Popen(["liggghts-plugins", "-in", "in.test"], cwd=self.folder,
+                                       env=grainjet.ENV, stdout=subprocess.DEVNULL, start_new_session=True)
+            try:
+                deadline = time.monotonic() + 60
+                events = self.folder / "events.csv"
+                while not (events.exists() and events.stat().st_size > 20000):
+                    self.assertLess(time.monotonic(), deadline, "no events were written")
+                    self.assertIsNone(process.poll())
+                    time.sleep(0.01)
+                time.sleep(patience - 1.0)
+            finally:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+            lines = events.read_text().split("\n")
+            self.assertEqual(lines[-1], "")
+            for line in lines[1:-1]:
+                self.assertEqual(len([float(w) for w in line.split(",")]), 14, line)
+            self.assertEqual(len(self.table()), 6)
+
+    def test_bad_input(self):
+        good = "wall w centre 0 0 0 normal 0 0 1 radius 0.005 rings 5 file plate.csv"
+        self.data([(0, 0, D, 0, 0, -2.0)])
+        for line, words in (
+                ("", ("missing keyword wall",)),
+                (good.replace("wall w ", ""), ("missing keyword wall",)),
+                (good.replace("wall w", "wall g"), ("'g'", "fix wall/gran")),
+                (good.replace("wall w", "wall nowhere"), ("'nowhere'", "fix wall/gran")),
+                (good.replace("centre 0 0 0 ", ""), ("missing keyword centre",)),
+                (good.replace("centre 0 0 0", "centre 0 0"), ("'normal' is not a number", "centre")),
+                (good.replace("normal 0 0 1", "normal 0 0 0"), ("normal must not be zero",)),
+                (good.replace("0.005", "-1"), ("radius must be > 0", "-1")),
+                (good.replace("rings 5", "rings 0"), ("rings must be a whole number >= 1",)),
+                (good.replace("rings 5", "rings 2.5"), ("rings must be a whole number >= 1",)),
+                (good.replace(" file plate.csv", ""), ("missing keyword file",)),
+                (good.replace("plate.csv", "no/such/folder/plate.csv"), ("no/such/folder", "cannot write")),
+                (good + " events no/such/events.csv", ("no/such/events.csv", "cannot write")),
+                (good + " every 0", ("every must be a whole number",)),
+                (good + " stats_start -1", ("stats_start must be >= 0",)),
+                (good + " stats_start", ("missing stats_start",)),
+                (good + " colour red", ("unknown keyword 'colour'", "stats_start")),
+        ):
+            with self.subTest(line):
+                result = self.liggghts(self.script(f"fix p all plate/stats {line}\nrun 1"), check=False)
+                self.assertFails(result, "Fix plate/stats (ID p)", *words)
+                self.assertEqual(result.output.count("ERROR"), 1)
+
+    def test_bad_surroundings(self):
+        self.data([(0, 0, D, 0, 0, -2.0)])
+        wall = "fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0"
+        result = self.liggghts(self.script(f"{PLATE}\nrun 1", wall=wall), 2, check=False)
+        self.assertFails(result, "plate/stats", "store_force yes")
+        result = self.liggghts(self.script(f"{PLATE}\nrun 1\nunfix p\nunfix w\nrun 1"))
+        result = self.liggghts(self.script(f"{PLATE.replace('plate.csv', 'no/plate.csv')}\nrun 1"), 2,
+                               check=False)
+        self.assertFails(result, "cannot write")
+
+    def test_plate_beside_the_wall_is_noticed(self):
+        """Contacts of the wall, none on the plate: a warning, once."""
+        self.data([(0, 0, D, 0, 0, -2.0)])
+        result = self.liggghts(self.script(
+            f"{PLATE.replace('centre 0 0 0', 'centre 0 0 0.01')}\nneigh_modify every 1 check no\n"
+            "run 250\nrun 10\nrun 10"))
+        self.assertEqual(result.output.count("none at the plate so far"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
