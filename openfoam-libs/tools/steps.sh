@@ -24,8 +24,8 @@ step()
         printf '  %-44s %4d s\n' "$what" $((SECONDS - start))
     else
         printf '  %-44s failed\n' "$what"
-        { grep -n -m 12 -E '(error|Error|ERROR|E:|cannot find|No such file|not found)' "$log" || tail -n 12 "$log"; } \
-            | cut -c 1-300 | sed 's/^/    | /' >&2
+        { grep -n -m 12 -E '(error: |Error [0-9]|CMake Error|ERROR|E: |cannot find|No such file|undefined reference|not set|Could NOT)' "$log" ||
+            tail -n 12 "$log"; } | cut -c 1-300 | sed 's/^/    | /' >&2
         fail "$wrong" "The whole log: $log"
     fi
 }
