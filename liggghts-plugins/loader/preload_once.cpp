@@ -5,18 +5,23 @@
 ------------------------------------------------------------------------- */
 
 /* Only in the library for the stock program, which the launcher preloads: takes this
-   library out of LD_PRELOAD as soon as it is loaded, so that programs started by
-   LIGGGHTS (`shell`, gzip for dumps, helpers of MPI) run without it.             */
+   library out of LD_PRELOAD as soon as LIGGGHTS is started, so that programs started by
+   LIGGGHTS (`shell`, gzip for dumps, helpers of MPI) run without it. If `liggghts` is a
+   wrapper script, its shell is passed over.                                    */
 
 #include <dlfcn.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <string>
 
 namespace {
 
 __attribute__((constructor)) void leave_ld_preload()
 {
+  // a function of the host; its library is in place before constructors run
+  if (!dlsym(RTLD_DEFAULT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv")) return;
+
   const char *variable = getenv("LD_PRELOAD");
   Dl_info info;
   if (!variable || !dladdr(reinterpret_cast<void *>(&leave_ld_preload), &info)) return;

@@ -1,6 +1,7 @@
 # processors: 2
 """The launcher is the stock program: input, exit code, environment; and the loader's own guards."""
 
+import shutil
 import unittest
 
 import grainjet
@@ -40,13 +41,27 @@ class Launcher(LoaderCase):
     def test_programs_started_by_liggghts_run_without_the_loader(self):
         for ranks in (0, 2):
             for given in ("", "libm.so.6", "libm.so.6:libdl.so.2"):
-                (self.folder / "in.test").write_text('shell printenv LD_PRELOAD > preload || true\n'
-                                                     "shell sh script\n")
+                (self.folder / "in.test").write_text("shell sh script\n")
                 (self.folder / "script").write_text('echo "$LD_PRELOAD" > preload\n')
                 result = grainjet.run([*grainjet.mpirun(ranks), "liggghts-plugins", "-in", "in.test"],
                                       self.folder, env={"LD_PRELOAD": given})
                 self.assertEqual(result.code, 0, result)
                 self.assertEqual((self.folder / "preload").read_text().strip(), given)
+
+    def test_liggghts_as_a_wrapper_script(self):
+        self.plugin()
+        (self.folder / "in.test").write_text(LOAD_AND_USE + "shell sh script\n")
+        (self.folder / "script").write_text('echo "preload <$LD_PRELOAD>"\n')
+        stock = shutil.which("liggghts", path=grainjet.ENV["PATH"])
+        wrapper = self.folder / "tools/liggghts"
+        wrapper.parent.mkdir()
+        wrapper.write_text('#!/bin/sh\necho "wrapped"\nexec ' + stock + ' "$@"\n')
+        wrapper.chmod(0o755)
+        result = grainjet.run(["liggghts-plugins", "-in", "in.test"], self.folder,
+                              env={"PATH": f"{wrapper.parent}:{grainjet.ENV['PATH']}"})
+        self.assertEqual(counts(result.output), [(0, 3), (5, 8)], result)
+        self.assertIn("wrapped", result.output)
+        self.assertIn("preload <>", result.output)
 
     def test_missing_loader_and_missing_liggghts(self):
         lonely = self.folder / "bin/liggghts-plugins"
