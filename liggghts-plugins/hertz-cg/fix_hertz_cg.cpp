@@ -120,6 +120,10 @@ int FixHertzCg::setmask()
 
 void FixHertzCg::init()
 {
+  // grains that are there have no contacts yet, or those of a restart file: not to be reset by the
+  // host after the first forces
+  just_created = 0;
+
   check_host();
   materials_.read(lmp, this, tangential_, rolling_);
 
@@ -166,7 +170,7 @@ void FixHertzCg::check_host()
 {
   if (force->pair) {
     const std::string message = std::string("computes the contacts itself, but `pair_style ")
-      + force->pair_style + "` is defined too; remove one of them";
+      + force->pair_style + "` is defined too; remove one of them (after read_restart: `pair_style none`)";
     error->fix_error(FLERR, this, message.c_str());
   }
   if (modify->n_fixes_style_strict("hertz/cg") > 1)

@@ -22,6 +22,8 @@ FixStyle(hertz/cg,FixHertzCg)
 #include "hertz-cg/stream_motion.h"
 #include "hertz-cg/wall_axes.h"
 
+#include <string>
+
 namespace LAMMPS_NS {
 
 /* Contact between grains: Hertz-Mindlin spring-dashpot with tangential history, evaluated for
@@ -113,6 +115,8 @@ class FixHertzCg : public Fix {
   bigint reduced_step_;
   double reduced_[7];
 
+  std::string failure_;    // what went wrong on this rank, to be told by all
+
   void parse(int, char **);
   void check_host();
   void check_sizes();
@@ -124,6 +128,9 @@ class FixHertzCg : public Fix {
   void start_motion(const double velocity[3]);
   void save_contacts();
 
+  void fail(const std::string &message);
+  void report_failure();
+
   struct Grains;
   void compute(bool advance, bool again);
   template <bool TANGENTIAL, bool ROLLING>
@@ -132,7 +139,7 @@ class FixHertzCg : public Fix {
   void compute_contact(const Grains &, std::size_t pair, double rsq, bool advance, bool again);
   void end_contact(const Grains &, std::size_t pair, bool advance);
   void begin_contact(const Grains &, std::size_t pair, double depth);
-  [[noreturn]] void fail_contact(const Grains &, std::size_t pair, const char *why);
+  void fail_contact(const Grains &, std::size_t pair, const char *why);
 
   void reduce();
   double elastic_energy() const;

@@ -10,7 +10,6 @@
 #include "physics/contact/hertz_mindlin.h"
 
 #include "atom.h"
-#include "error.h"
 #include "force.h"
 #include "update.h"
 
@@ -56,16 +55,19 @@ static inline void add(double *a, const Vector3 &b)
 
 void FixHertzCg::setup_pre_force(int)
 {
-  if (!pairs_valid_) search();
+  // `run ... pre no` after grains were created or deleted comes without a search
+  int missing = !pairs_valid_;
+  MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_MAX, world);
+  if (missing) search();
   compute(false, forces_restarted_);
   forces_restarted_ = false;
+  report_failure();
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixHertzCg::pre_force(int)
 {
-  if (!pairs_valid_) search();
   compute(true, false);
 }
 
@@ -137,12 +139,12 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
 {
   const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
   Contact &c = pairs_.contacts[p];
-  if (rsq == 0.0) fail_contact(g, p, "have the same centre");
+  if (rsq == 0.0) return fail_contact(g, p, "have the same centre");
 
   const MaterialTable::Entry &m = materials_(g.type[i], g.type[j]);
   if (m.mixed)
-    fail_contact(g, p, "touch, but their types have different coarse-graining factors; "
-                       "the law between them is not defined");
+    return fail_contact(g, p, "touch, but their types have different coarse-graining factors; "
+                              "the law between them is not defined");
 
   const Kinematics k(g, i, j, std::sqrt(rsq));
   const double depth = k.overlap / std::min(g.radius[i], g.radius[j]);
@@ -248,11 +250,9 @@ void FixHertzCg::fail_contact(const Grains &g, std::size_t p, const char *why)
 {
   const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
   std::ostringstream message;
-  message << "Fix hertz/cg (id " << id << "): grains " << g.tag[i] << " (type " << g.type[i] << ", f_cg "
-          << force->cg(g.type[i]) << ") and " << g.tag[j] << " (type " << g.type[j] << ", f_cg "
-          << force->cg(g.type[j]) << ") " << why;
-  error->one(FLERR, message.str().c_str());
-  std::abort();    // never reached: Error::one ends the program
+  message << "grains " << g.tag[i] << " (type " << g.type[i] << ", f_cg " << force->cg(g.type[i]) << ") and "
+          << g.tag[j] << " (type " << g.type[j] << ", f_cg " << force->cg(g.type[j]) << ") " << why;
+  fail(message.str());
 }
 
 /* ---------------------------------------------------------------------- */

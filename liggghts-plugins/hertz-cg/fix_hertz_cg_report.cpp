@@ -110,6 +110,7 @@ void FixHertzCg::end_of_step()
 
 void FixHertzCg::post_run()
 {
+  report_failure();
   double deep = deep_, deepest = deepest_;
   MPI_Allreduce(MPI_IN_PLACE, &deep, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);

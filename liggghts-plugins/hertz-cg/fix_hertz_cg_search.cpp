@@ -19,7 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
 
 using namespace LAMMPS_NS;
 
@@ -30,9 +30,12 @@ using namespace LAMMPS_NS;
 void FixHertzCg::post_integrate()
 {
   const double time = (update->ntimestep - search_step_) * update->dt;
-  int expired = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &expired, 1, MPI_INT, MPI_MAX, world);
-  if (expired) next_reneighbor = update->ntimestep;
+  enum { FRESH, EXPIRED, FAILED };
+  int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time) ? EXPIRED : FRESH;
+  if (!failure_.empty()) state = FAILED;
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &state, 1, MPI_INT, MPI_MAX, world);
+  if (state == FAILED) report_failure();
+  if (state == EXPIRED) next_reneighbor = update->ntimestep;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -102,27 +105,43 @@ void FixHertzCg::search()
   grains.mask = atom->mask;
   grains.group = groupbit;
   grains.frozen = freeze_bit_;
-  if (!pairs_.build(grains, margin_, store_)) {
-    std::ostringstream message;
-    message << "Fix hertz/cg: grain " << atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)]
-            << " has no finite position";
-    error->one(FLERR, message.str().c_str());
-  }
-  pairs_valid_ = true;
-
+  if (!pairs_.build(grains, margin_, store_))
+    fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
+         + " has no finite position");
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->radius[i] > rmax_) {
-      std::ostringstream message;
-      message << "Fix hertz/cg: grain " << atom->tag[i] << " of radius " << atom->radius[i]
-              << " is larger than the largest grain known at the start of the run, " << rmax_;
-      error->one(FLERR, message.str().c_str());
-    }
+    if (atom->radius[i] > rmax_)
+      fail("grain " + std::to_string(atom->tag[i]) + " is larger than the largest known at the start of the run");
+  report_failure();
+  pairs_valid_ = true;
 
   double count[2] = {static_cast<double>(pairs_.size()), static_cast<double>(atom->nlocal)};
   MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
   pairs_per_grain_ = count[1] > 0.0 ? count[0] / count[1] : -1.0;
   search_step_ = update->ntimestep;
   start_motion(velocity);
+}
+
+/* ----------------------------------------------------------------------
+   What goes wrong on one rank is told by all of them together, with one message; LIGGGHTS' way for
+   a single rank ends the program before its message is through. The first failure is kept.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::fail(const std::string &message)
+{
+  if (failure_.empty()) failure_ = message;
+  if (comm->nprocs == 1) report_failure();
+}
+
+void FixHertzCg::report_failure()
+{
+  int rank = failure_.empty() ? comm->nprocs : comm->me;
+  MPI_Allreduce(MPI_IN_PLACE, &rank, 1, MPI_INT, MPI_MIN, world);
+  if (rank == comm->nprocs) return;
+  int length = static_cast<int>(failure_.size());
+  MPI_Bcast(&length, 1, MPI_INT, rank, world);
+  failure_.resize(length);
+  MPI_Bcast(&failure_[0], length, MPI_CHAR, rank, world);
+  error->fix_error(FLERR, this, failure_.c_str());
 }
 
 /* ----------------------------------------------------------------------
@@ -177,7 +196,7 @@ void FixHertzCg::start_motion(const double velocity[3])
 {
   grainjet::StreamMotion::Limits limits;
   limits.relative = 0.5 * margin_;
-  limits.wall = walls_.any ? 0.5 * search_.skin() : 0.0;
+  limits.wall = walls_.any ? walls_.reach * search_.skin() : 0.0;
   for (int d = 0; d < 3; ++d) {
     limits.wallAxes[d] = walls_.axis[d];
     // grains go round, change rank or leave through an open end only at a search: none may get

@@ -31,7 +31,12 @@ bool StreamMotion::expired(int n, const double *x, double time) const
   }
   // grains that came or went without a search: their number says so
   if (3 * static_cast<std::size_t>(n) != hold_.size()) return true;
-  return grains_expired(n, x, shift) || (limits_.wall > 0.0 && walls_expired(n, x));
+  if (grains_expired(n, x, shift)) return true;
+  // no grain has left the stream's way by more than the relative limit: often that settles it
+  double towards = 0.0;
+  for (int d = 0; d < 3; ++d)
+    if (limits_.wallAxes[d]) towards += shift[d] * shift[d];
+  return limits_.wall > 0.0 && std::sqrt(towards) + limits_.relative > limits_.wall && walls_expired(n, x);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -29,11 +29,16 @@ class FixWallGran {
 
 grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
 {
-  WallAxes walls = {false, false, {false, false, false}};
+  // primitive walls list grains up to a whole skin from contact, keep a little in hand; meshes and
+  // what is stored per contact with a primitive wall go by half of it
+  WallAxes walls = {false, false, 0.9, {false, false, false}};
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix *fix = lmp->modify->fix[i];
-    if (strncmp(fix->style, "neighlist/mesh", 14) == 0)
+    if (strncmp(fix->style, "contactproperty/atom/wall", 25) == 0) walls.reach = 0.5;
+    if (strncmp(fix->style, "neighlist/mesh", 14) == 0) {
+      walls.reach = 0.5;
       walls.any = walls.mesh = walls.axis[0] = walls.axis[1] = walls.axis[2] = true;
+    }
     if (strncmp(fix->style, "wall/gran", 9) != 0) continue;
     PrimitiveWall *primitive = reinterpret_cast<FixWallGran *>(fix)->primitiveWall();
     if (!primitive) continue;

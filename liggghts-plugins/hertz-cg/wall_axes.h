@@ -16,6 +16,7 @@ namespace grainjet {
 struct WallAxes {
   bool any;        // is there a wall that keeps a list?
   bool mesh;       // is one of them a mesh, whose triangles may face anywhere?
+  double reach;    // how far a grain may come nearer before lists are stale, in units of the skin
   bool axis[3];    // directions x, y, z that some wall's normal may have a part in
 };
 
