@@ -6,7 +6,7 @@
 
 /* Only in the library for the stock program, which the launcher preloads: takes this
    library out of LD_PRELOAD as soon as LIGGGHTS is started, so that programs started by
-   LIGGGHTS (`shell`, gzip for dumps, helpers of MPI) run without it. If `liggghts` is a
+   LIGGGHTS (`shell`, gzip for dumps, daemons of MPI) run without it. If `liggghts` is a
    wrapper script, its shell is passed over.                                    */
 
 #include <dlfcn.h>

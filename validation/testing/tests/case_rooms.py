@@ -1,0 +1,108 @@
+"""The house rules that can be checked without running anything.
+
+Dependencies run one way, source files stay short and carry the licence, nothing generated is kept.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+import grainjet
+
+SOURCES = {".cpp", ".h", ".C", ".H"}
+LINES = 400                     # longer files hold more than one responsibility
+INCLUDE = re.compile(r'(?m)^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def kept():
+    """All files of the project: tracked ones, or without git all that are no product."""
+    listed = subprocess.run(["git", "-c", f"safe.directory={grainjet.ROOT}", "ls-files", "-z"],
+                            cwd=grainjet.ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    if listed.returncode == 0:
+        paths = [grainjet.ROOT / name for name in listed.stdout.decode().split("\0") if name]
+        return [path for path in paths if path.is_file()]
+    skipped = {"build", "lib", "bin", "lnInclude", "__pycache__"}
+    return [path for path in grainjet.ROOT.rglob("*")
+            if path.is_file() and not skipped & set(path.relative_to(grainjet.ROOT).parts)]
+
+
+def sources(folder=""):
+    return [path for path in kept()
+            if path.suffix in SOURCES and (grainjet.ROOT / folder) in path.parents]
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text())
+
+
+def named(path):
+    return str(path.relative_to(grainjet.ROOT))
+
+
+class Rooms(unittest.TestCase):
+
+    def assertNone(self, offenders, rule):
+        self.assertFalse(offenders, f"{rule}:\n" + "\n".join(offenders))
+
+    def test_physics_knows_no_host(self):
+        """physics/ is shared by both halves: standard headers and its own only."""
+        physics = grainjet.ROOT / "liggghts-plugins/physics"
+        allowed = re.compile(r"[a-z_]+|gtest/gtest\.h|(float|math|stdint|stddef)\.h")
+
+        def own(path, name):
+            return name.startswith("physics/") or physics in (path.parent / name).resolve().parents
+
+        self.assertNone(
+            [f"{named(path)}: {name}" for path in sources("liggghts-plugins/physics")
+             for name in includes(path) if not allowed.fullmatch(name) and not own(path, name)],
+            "physics/ includes something else than itself and the standard library")
+
+    def test_plugins_know_no_openfoam(self):
+        self.assertNone(
+            [f"{named(path)}: {name}" for path in sources("liggghts-plugins")
+             for name in includes(path) if name.endswith((".H", ".C"))],
+            "liggghts-plugins includes OpenFOAM")
+
+    def test_openfoam_libraries_see_liggghts_only_through_doors(self):
+        """Physics, the exchange with fix fluid/force and the loader; not a plugin's insides."""
+        doors = re.compile(r"physics/.*|loader/.*|host/.*|fluid-force/fluid_force_exchange\.h")
+        rooms = {path.name for path in (grainjet.ROOT / "liggghts-plugins").iterdir() if path.is_dir()}
+        self.assertNone(
+            [f"{named(path)}: {name}" for path in sources("openfoam-libs") for name in includes(path)
+             if name.split("/")[0] in rooms and not doors.fullmatch(name)],
+            "openfoam-libs includes the inside of a plugin")
+
+    def test_source_files_are_short(self):
+        self.assertNone(
+            [f"{named(path)}: {count} lines" for path in sources()
+             if (count := len(path.read_text().splitlines())) > LINES],
+            f"files of more than {LINES} lines")
+
+    def test_licence_in_every_source_file(self):
+        self.assertNone(
+            [named(path) for path in sources()
+             if "SPDX-License-Identifier: GPL-3.0-or-later" not in "\n".join(path.read_text().splitlines()[:12])],
+            "no licence in the first lines")
+
+    def test_no_products_are_kept(self):
+        products = {".o", ".so", ".a", ".dep", ".pyc", ".log"}
+        self.assertNone([named(path) for path in kept() if path.suffix in products], "products in the repository")
+
+    def test_programs_can_be_started(self):
+        """Files with a first line that names an interpreter are executable, shell ones parse."""
+        for path in kept():
+            with path.open("rb") as file:
+                first = file.readline()
+            if not first.startswith(b"#!"):
+                continue
+            self.assertTrue(os.access(path, os.X_OK), f"{named(path)} is not executable")
+            shell = pathlib.Path(first.decode().split()[-1]).name
+            if shell in ("sh", "bash"):
+                checked = subprocess.run([shell, "-n", str(path)], stderr=subprocess.PIPE, text=True)
+                self.assertEqual(checked.returncode, 0, checked.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
