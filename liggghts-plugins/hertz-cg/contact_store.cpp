@@ -81,12 +81,11 @@ int ContactStore::pack(int grain, double *buffer) const
     const Contact &c = e.contact;
     buffer[m++] = as_double(e.partner);
     buffer[m++] = as_double(e.marks);
-    for (const contact::Vector3 &v : {c.spring, c.tangential, c.rolling}) {
+    for (const contact::Vector3 &v : {c.spring, c.force, c.twist, c.rolling}) {
       buffer[m++] = v.x;
       buffer[m++] = v.y;
       buffer[m++] = v.z;
     }
-    buffer[m++] = c.normal;
   }
   return m;
 }
@@ -104,12 +103,12 @@ int ContactStore::unpack(int grain, const double *buffer)
     Entry e;
     e.partner = as_int(buffer[m++]);
     e.marks = as_int(buffer[m++]);
-    for (contact::Vector3 *v : {&e.contact.spring, &e.contact.tangential, &e.contact.rolling}) {
+    Contact &c = e.contact;
+    for (contact::Vector3 *v : {&c.spring, &c.force, &c.twist, &c.rolling}) {
       v->x = buffer[m++];
       v->y = buffer[m++];
       v->z = buffer[m++];
     }
-    e.contact.normal = buffer[m++];
     entries_.push_back(e);
   }
   return m;

@@ -14,19 +14,19 @@
 
 namespace grainjet {
 
-/* What a touching pair remembers, seen from its first grain. The forces are those of the
-   last step: the work done over a step needs them, and a run that is continued from a
-   restart file written in its middle starts from them.                                  */
+/* What a touching pair remembers, seen from its first grain i. Forces are those of the last step:
+   the work done over a step needs them, and a run that is continued from a restart file written
+   in its middle starts from them.                                                           */
 struct Contact {
-  contact::Vector3 spring;       // m, tangential spring
-  contact::Vector3 tangential;   // N, tangential force
-  contact::Vector3 rolling;      // N m, torque of rolling friction
-  double normal;                 // N, normal force
+  contact::Vector3 spring;     // m, tangential spring
+  contact::Vector3 force;      // N, on i
+  contact::Vector3 twist;      // N, n x Ft: times minus the arm it is the torque on either grain
+  contact::Vector3 rolling;    // N m, torque of rolling friction on i
 
-  // the same contact seen from the other grain
+  // the same contact seen from the other grain; n and Ft both turn round, so twist does not
   Contact mirrored() const
   {
-    return {-1.0 * spring, -1.0 * tangential, -1.0 * rolling, normal};
+    return {-1.0 * spring, -1.0 * force, twist, -1.0 * rolling};
   }
 };
 
@@ -43,7 +43,7 @@ class ContactStore {
     Contact contact;
   };
 
-  static const int VALUES = 12;    // numbers in which an entry is packed
+  static const int VALUES = 14;    // numbers in which an entry is packed
 
   void resize(int ngrains);
   void clear();                                  // no grain has contacts

@@ -112,21 +112,30 @@ struct Kinematics {
   Vector3 normal;       // unit, from j to i
   double overlap;
   double armI, armJ;    // from the centres to the contact point
+  Vector3 velocity;     // of the centres
+  Vector3 spin;         // armI wi + armJ wj: n x spin is what rotation adds at the contact point
+  Vector3 turning;      // wi - wj
   double vn;
   Vector3 vt;
 
   template <class G>
   Kinematics(const G &g, int i, int j, double distance)
   {
-    const Vector3 delta = vector(g.x[i]) - vector(g.x[j]);
-    normal = (1.0 / distance) * delta;
+    normal = (1.0 / distance) * (vector(g.x[i]) - vector(g.x[j]));
     overlap = g.radius[i] + g.radius[j] - distance;
     armI = g.radius[i] - 0.5 * overlap;
     armJ = g.radius[j] - 0.5 * overlap;
-    const Vector3 v = vector(g.v[i]) - vector(g.v[j]);
-    vn = contact::dot(v, normal);
-    vt = v - vn * normal
-      + contact::cross(normal, armI * vector(g.omega[i]) + armJ * vector(g.omega[j]));
+    velocity = vector(g.v[i]) - vector(g.v[j]);
+    spin = armI * vector(g.omega[i]) + armJ * vector(g.omega[j]);
+    turning = vector(g.omega[i]) - vector(g.omega[j]);
+    vn = contact::dot(velocity, normal);
+    vt = velocity - vn * normal + contact::cross(normal, spin);
+  }
+
+  // power [W] of the forces of a contact on this motion of its grains
+  double power(const Vector3 &force, const Vector3 &twist, const Vector3 &rolling) const
+  {
+    return contact::dot(force, velocity) - contact::dot(twist, spin) + contact::dot(rolling, turning);
   }
 };
 
@@ -165,43 +174,35 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
   Vector3 spring = m.scale.particleSpring(c.spring);
   if (TANGENTIAL && advance) contact::advanceSpring(spring, k.normal, k.vt, g.dt / m.scale.factor());
 
-  const Vector3 turning = vector(g.omega[i]) - vector(g.omega[j]);
-  contact::Force force = {c.normal, c.tangential};
-  Vector3 rolling = c.rolling;
+  Vector3 force = c.force, twist = c.twist, rolling = c.rolling;
   if (!again) {
-    if (TANGENTIAL) {
-      force = contact::hertzMindlin(m.material, stiffness, particle.overlap, k.vn, k.vt, spring, advance);
-    } else {
-      force.normal = contact::normalForce(stiffness, particle.overlap, k.vn);
-      force.tangential = {0.0, 0.0, 0.0};
-    }
-    force = m.scale.grainForce(force);
+    contact::Force f = {contact::normalForce(stiffness, particle.overlap, k.vn), {0.0, 0.0, 0.0}};
+    if (TANGENTIAL)
+      f = contact::hertzMindlin(m.material, stiffness, particle.overlap, k.vn, k.vt, spring, advance);
+    f = m.scale.grainForce(f);
+    force = f.normal * k.normal + f.tangential;
+    twist = contact::cross(k.normal, f.tangential);
     if (ROLLING)
       rolling = m.scale.grainTorque(contact::rollingTorque(
-        m.material, stiffness, particle, k.normal, m.scale.particleRotation(turning)));
+        m.material, stiffness, particle, k.normal, m.scale.particleRotation(k.turning)));
   }
 
   if (advance) {
     // work over the step, by the mean of the forces at its two ends
-    double power = (c.normal + force.normal) * k.vn;
-    if (TANGENTIAL) power += contact::dot(c.tangential + force.tangential, k.vt);
-    if (ROLLING) power += contact::dot(c.rolling + rolling, turning);
-    work_ += 0.5 * g.dt * g.share(j) * power;
+    work_ += 0.5 * g.dt * g.share(j) * k.power(c.force + force, c.twist + twist, c.rolling + rolling);
     c.spring = m.scale.grainSpring(spring);
   } else if (found) {
     found_ += g.share(j) * m.scale.grainEnergy(contact::elasticEnergy(stiffness, particle.overlap, spring));
   }
-  c.normal = force.normal;
-  c.tangential = force.tangential;
+  c.force = force;
+  c.twist = twist;
   c.rolling = rolling;
 
-  const Vector3 total = force.normal * k.normal + force.tangential;
-  const Vector3 twist = contact::cross(k.normal, force.tangential);
-  add(g.f[i], total);
+  add(g.f[i], force);
   if (TANGENTIAL) add(g.torque[i], -k.armI * twist);
   if (ROLLING) add(g.torque[i], rolling);
   if (j >= g.nlocal) return;
-  add(g.f[j], -1.0 * total);
+  add(g.f[j], -1.0 * force);
   if (TANGENTIAL) add(g.torque[j], -k.armJ * twist);
   if (ROLLING) add(g.torque[j], -1.0 * rolling);
 }
@@ -217,7 +218,7 @@ void FixHertzCg::begin_contact(const Grains &g, std::size_t p, double depth)
   deepest_ = std::max(deepest_, depth);
   if (!(pairs_.marks[p] & ContactPairs::TOUCHING)) {
     const Vector3 zero = {0.0, 0.0, 0.0};
-    pairs_.contacts[p] = {zero, zero, zero, 0.0};
+    pairs_.contacts[p] = {zero, zero, zero, zero};
     pairs_.marks[p] |= ContactPairs::TOUCHING;
     if (counts) collisions_ += 1.0;
   }
@@ -239,9 +240,7 @@ void FixHertzCg::end_contact(const Grains &g, std::size_t p, bool advance)
   if (!advance) return;
   const Vector3 delta = vector(g.x[i]) - vector(g.x[j]);
   const Kinematics k(g, i, j, contact::length(delta));
-  const double power = c.normal * k.vn + contact::dot(c.tangential, k.vt)
-    + contact::dot(c.rolling, vector(g.omega[i]) - vector(g.omega[j]));
-  work_ += 0.5 * g.dt * g.share(j) * power;
+  work_ += 0.5 * g.dt * g.share(j) * k.power(c.force, c.twist, c.rolling);
 }
 
 /* ---------------------------------------------------------------------- */
