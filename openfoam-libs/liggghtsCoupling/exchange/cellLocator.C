@@ -22,6 +22,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     const labelList& neighbour = mesh.faceNeighbour();
     const vectorField& centre = mesh.faceCentres();
     const vectorField& area = mesh.faceAreas();
+    const vectorField& cellCentre = mesh.cellCentres();
 
     label n = 0;
     forAll(cells, celli)
@@ -42,6 +43,9 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
             facePlane& plane = planes_[n++];
             plane.n = (owned ? 1 : -1)*area[facei]/(mag(area[facei]) + VSMALL);
             plane.d = plane.n & centre[facei];
+            plane.inverseHeight =
+                1/max(plane.d - (plane.n & cellCentre[celli]), VSMALL);
+            plane.face = facei;
             plane.next =
                 !mesh.isInternalFace(facei) ? -1
               : owned ? neighbour[facei] : owner[facei];
@@ -80,18 +84,18 @@ Foam::cellLocator::place Foam::cellLocator::find
 
     if (!mesh_.nCells() || !mesh_.bounds().contains(p))
     {
-        return {-1, 0};
+        return {-1, 0, -1};
     }
 
     const label celli = mesh_.findCell(p);
     if (celli < 0)
     {
-        return {-1, 0};
+        return {-1, 0, -1};
     }
 
     // On warped faces tetrahedra and planes differ a little: the tetrahedra decide
     const place exact = walk(p, celli);
-    return exact.cell == celli ? exact : place{celli, 0};
+    return exact.cell == celli ? exact : place{celli, 0, -1};
 }
 
 

@@ -58,6 +58,7 @@ Foam::guestGrain Foam::guestGrains::asGuest
     guest.cg = session_.coarseGraining(grains.type[atom]);
     guest.clearance = 0;
     guest.cell = -1;
+    guest.pyramid = -1;
     return guest;
 }
 
@@ -105,6 +106,7 @@ void Foam::guestGrains::locate()
     {
         guest.cell = place.cell;
         guest.clearance = place.clearance;
+        guest.pyramid = place.pyramid;
         guests_.append(guest);
         atomOfGuest_.append(atom);
     };
@@ -126,7 +128,7 @@ void Foam::guestGrains::locate()
 
         const cellLocator::place place =
             elsewhere
-          ? cellLocator::place{-1, 0}
+          ? cellLocator::place{-1, 0, -1}
           : locator_.find(guest.position, known ? previousCells_[number] : -1);
 
         if (place.cell >= 0)
@@ -173,7 +175,7 @@ void Foam::guestGrains::locate()
         const cellLocator::place place =
             lastRank[i] >= 0
           ? locator_.find(away[i].position, -1)
-          : cellLocator::place{-1, 0};
+          : cellLocator::place{-1, 0, -1};
 
         if (place.cell >= 0)
         {

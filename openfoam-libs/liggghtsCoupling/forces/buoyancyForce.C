@@ -26,13 +26,9 @@ Foam::buoyancyForce::buoyancyForce(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::buoyancyForce::update()
-{}
-
-
-Foam::vector Foam::buoyancyForce::force(const guestGrain& grain) const
+Foam::vector Foam::buoyancyForce::bodyForce() const
 {
-    return -grain.volume()*fluid_.rho()*fluid_.g();
+    return -fluid_.rho()*fluid_.g();
 }
 
 

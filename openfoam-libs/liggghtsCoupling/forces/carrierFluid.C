@@ -62,18 +62,9 @@ Foam::carrierFluid::carrierFluid(const dictionary& dict, const fvMesh& mesh)
     mesh_(mesh),
     UName_(dict.lookupOrDefault<word>("U", "U")),
     pName_(dict.lookupOrDefault<word>("p", "p")),
-    scheme_(dict.lookupOrDefault<word>("interpolation", "cellPoint")),
     rho_(readDensity(mesh)),
     g_(Zero)
-{
-    auto* schemes = interpolation<vector>::dictionaryConstructorTablePtr_;
-
-    if (!schemes->found(scheme_))
-    {
-        FatalIOErrorInLookup(dict, "interpolation", scheme_, *schemes)
-            << exit(FatalIOError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -27,17 +27,10 @@ Foam::pressureGradientForce::pressureGradientForce(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pressureGradientForce::update()
+void Foam::pressureGradientForce::addDensity(volVectorField& density) const
 {
-    field_.reset(new volVectorField(fvc::grad(fluid_.p())));
-    atGrain_ = fluid_.interpolate(field_());
-}
-
-
-Foam::vector Foam::pressureGradientForce::force(const guestGrain& grain) const
-{
-    return -grain.volume()*fluid_.rho()
-       *atGrain_->interpolate(grain.position, grain.cell);
+    density.primitiveFieldRef() -=
+        fluid_.rho()*fvc::grad(fluid_.p())().primitiveField();
 }
 
 

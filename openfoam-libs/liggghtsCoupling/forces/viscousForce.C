@@ -27,17 +27,11 @@ Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::viscousForce::update()
+void Foam::viscousForce::addDensity(volVectorField& density) const
 {
-    field_.reset(new volVectorField(fvc::laplacian(fluid_.nu(), fluid_.U())));
-    atGrain_ = fluid_.interpolate(field_());
-}
-
-
-Foam::vector Foam::viscousForce::force(const guestGrain& grain) const
-{
-    return grain.volume()*fluid_.rho()
-       *atGrain_->interpolate(grain.position, grain.cell);
+    density.primitiveFieldRef() +=
+        fluid_.rho()
+       *fvc::laplacian(fluid_.nu(), fluid_.U())().primitiveField();
 }
 
 

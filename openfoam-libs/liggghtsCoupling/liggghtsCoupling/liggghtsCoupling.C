@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "OSspecific.H"
+#include "zeroGradientFvPatchFields.H"
 #include "physics/drag/drag_laws.h"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -212,15 +213,25 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     (
         voidFractionModel::New(voidFractionDict(coeffs_), locator_)
     ),
+    sampler_(fluidSampler::New(coeffs_, mesh)),
     momentum_(grainMomentum::New(coeffs_, fluid_)),
     shares_(locator_, boxes_),
     log_(mesh, twoWay_),
     timeIndex_(mesh.time().timeIndex()),
+    forceDensity_
+    (
+        IOobject("grainForceDensity", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    bodyForce_(Zero),
     voidFraction_
     (
         coupledField("voidFraction", mesh),
         mesh,
-        dimensionedScalar("voidFraction", dimless, scalar(1))
+        dimensionedScalar("voidFraction", dimless, scalar(1)),
+        zeroGradientFvPatchScalarField::typeName
     ),
     particleVelocity_
     (
@@ -279,6 +290,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     }
     for (const grainForce& force : forces_)
     {
+        bodyForce_ += force.bodyForce();
         if (force.type() == "buoyancy" && !hasGravity)
         {
             FatalIOErrorInFunction(coeffs_)

@@ -87,39 +87,38 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
 {
     const UList<guestGrain>& guests = guests_->guests();
 
-    for (grainForce& force : forces_)
+    forceDensity_.primitiveFieldRef() = Zero;
+    for (const grainForce& force : forces_)
     {
-        force.update();
+        force.addDensity(forceDensity_);
     }
+    forceDensity_.correctBoundaryConditions();
+    sampler_->update(fluid_.U(), forceDensity_, voidFraction_);
+
     const tmp<volScalarField> tnu(fluid_.nu());
     const scalarField& nu = tnu();
-    const autoPtr<interpolation<vector>> U(fluid_.interpolate(fluid_.U()));
-    const autoPtr<interpolation<scalar>> eps(fluid_.interpolate(voidFraction_));
+
+    grainjet::drag::State state;
+    state.density = fluid_.rho();
 
     actions_.setSize(guests.size());
     forAll(guests, g)
     {
         const guestGrain& grain = guests[g];
-        fluidAction& action = actions_[g];
+        const fluidSampler::sample fluid = sampler_->at(grain);
+        const scalar volume = grain.volume();
 
-        action.velocity = U->interpolate(grain.position, grain.cell);
-        const scalar slip = mag(action.velocity - grain.velocity);
-
-        grainjet::drag::State state;
-        state.voidFraction = eps->interpolate(grain.position, grain.cell);
-        state.slipSpeed = slip;
+        state.voidFraction = fluid.voidFraction;
+        state.slipSpeed = mag(fluid.U - grain.velocity);
         state.diameter = grain.particleDiameter();
-        state.density = fluid_.rho();
         state.viscosity = nu[grain.cell];
-        action.dragCoefficient = drag_(state)*grain.volume();
 
-        action.force = Zero;
-        for (const grainForce& force : forces_)
-        {
-            action.force += force.force(grain);
-        }
+        fluidAction& action = actions_[g];
+        action.velocity = fluid.U;
+        action.dragCoefficient = drag_(state)*volume;
+        action.force = volume*(fluid.force + bodyForce_);
 
-        step.slipSum += slip;
+        step.slipSum += state.slipSpeed;
     }
     step.guests = guests.size();
 }
@@ -134,14 +133,11 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
     guests_->receiveImpulse(impulse_, orphaned);
 
     // Forces without reaction are no business of the fluid
-    for (const grainForce& force : forces_)
+    if (bodyForce_ != vector::zero)
     {
-        if (!force.reaction())
+        forAll(guests, g)
         {
-            forAll(guests, g)
-            {
-                impulse_[g] -= force.force(guests[g])*dt;
-            }
+            impulse_[g] -= dt*guests[g].volume()*bodyForce_;
         }
     }
     step.toGrains = sum(impulse_) + orphaned;
@@ -157,7 +153,7 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
         {
             const scalar b = actions_[g].dragCoefficient;
             const scalar m = guests[g].mass;
-            return exchanged{impulse_[g], b, m/dt*(1 - exp(-b*dt/m))};
+            return exchanged{impulse_[g], b, -m/dt*std::expm1(-b*dt/m)};
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {

@@ -106,19 +106,72 @@ void Foam::dividedVoidFraction::share
         return;
     }
 
-    const scalar fraction = 1.0/nParts;
-    for (const vector& direction : points())
+    // Only the faces that the sphere may reach decide which points stay
+    const UList<cellLocator::facePlane> planes(locator_.planes(guest.cell));
+    scalar room[nParts];
+    room[0] = 0;
+    for (label i = 1; i < nParts; ++i)
     {
-        const point p = guest.position + guest.radius*direction;
+        room[i] = VGREAT;
+    }
+    for (const cellLocator::facePlane& plane : planes)
+    {
+        const scalar distance = plane.d - (plane.n & guest.position);
+        if (distance < outermost()*guest.radius)
+        {
+            for (label i = 1; i < nParts; ++i)
+            {
+                room[i] = min
+                (
+                    room[i],
+                    distance - guest.radius*(plane.n & points()[i])
+                );
+            }
+        }
+    }
+
+    // Parts in the same cell make one share
+    label cells[nParts];
+    label counts[nParts];
+    label nCells = 0;
+    const auto count = [&](const label celli)
+    {
+        label k = 0;
+        while (k < nCells && cells[k] != celli)
+        {
+            ++k;
+        }
+        if (k == nCells)
+        {
+            cells[nCells] = celli;
+            counts[nCells++] = 0;
+        }
+        ++counts[k];
+    };
+
+    for (label i = 0; i < nParts; ++i)
+    {
+        if (room[i] >= -locator_.tolerance())
+        {
+            count(guest.cell);
+            continue;
+        }
+
+        const point p = guest.position + guest.radius*points()[i];
         const label celli = locator_.walk(p, guest.cell).cell;
         if (celli >= 0)
         {
-            shares.add(number, celli, fraction);
+            count(celli);
         }
         else
         {
-            shares.addSatellite(number, locator_.wrap(p), fraction);
+            shares.addSatellite(number, locator_.wrap(p), 1.0/nParts);
         }
+    }
+
+    for (label k = 0; k < nCells; ++k)
+    {
+        shares.add(number, cells[k], scalar(counts[k])/nParts);
     }
 }
 

@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fluidSampler.H"
+#include "interpolation.H"
+#include "schemeSampler.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(fluidSampler, 0);
+    defineRunTimeSelectionTable(fluidSampler, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const word scheme(dict.lookupOrDefault<word>("interpolation", "cellPoint"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(scheme);
+
+    if (cstrIter.found())
+    {
+        return autoPtr<fluidSampler>(cstrIter()(mesh));
+    }
+
+    auto* schemes = interpolation<vector>::dictionaryConstructorTablePtr_;
+    if (!schemes->found(scheme))
+    {
+        FatalIOErrorInLookup(dict, "interpolation", scheme, *schemes)
+            << exit(FatalIOError);
+    }
+
+    return autoPtr<fluidSampler>(new schemeSampler(scheme));
+}
+
+
+// ************************************************************************* //
