@@ -40,8 +40,9 @@ class Plane:
 
         # On the axis: the rings nearest to it, up to 0.2 D, joined
         near = table["r_outer/D"] < 0.2 + 1e-6
-        n = table["crossings"][near]
-        mean, rms = (table[f"flux_weighted_{name}_axial"][near] for name in ("mean", "rms"))
+        seen = near & (table["crossings"] > 0)
+        n = table["crossings"][seen]
+        mean, rms = (table[f"flux_weighted_{name}_axial"][seen] for name in ("mean", "rms"))
         self.mean = (n*mean).sum()/max(n.sum(), 1)
         self.rms = math.sqrt(max((n*(rms**2 + mean**2)).sum()/max(n.sum(), 1) - self.mean**2, 0))
         self.error = self.rms/math.sqrt(max(n.sum(), 1))
@@ -112,6 +113,9 @@ def main():
                    f"inserted {last['inserted']:.0f} of {stated:.0f} grains stated (+- {tolerance:.0f})"))
     checks.append((balance["outside"].max() == 0,
                    f"grains outside the mesh at any step: {balance['outside'].max():.0f}"))
+    imbalance = balance["imbalance"].max()
+    checks.append((imbalance < 1e-10, "momentum of grains and fluid: imbalance at most "
+                   f"{imbalance:.1e} of what they exchanged (round-off: 1e-10)"))
     checks.append((planes[-1].mean + 3*planes[-1].error < planes[0].mean - 3*planes[0].error,
                    f"mean velocity on the axis falls from {planes[0].mean:.2f} to "
                    f"{planes[-1].mean:.2f} m/s"))
