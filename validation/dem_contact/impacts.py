@@ -68,7 +68,7 @@ def hertz(material, ball, speed, plane):
 
 def script(folder, material, ball, impacts, plane, factor, dt, steps, extra):
     other_radius = LARGE * ball.radius if plane else ball.radius
-    gap = 1e-4 * ball.radius
+    gap = 1e-5 * ball.radius
     spacing = 2.5 * (ball.radius + other_radius)
     width = 2.2 * other_radius + 4 * ball.radius
     rows, speeds = [], []
@@ -118,7 +118,7 @@ def run(folder, material, ball, impacts, plane=False, factor=1, per_contact=2000
     slowest = min(i.normal for i in impacts)
     dt = hertz(material, ball, fastest, plane)[2] / per_contact
     longest = hertz(material, ball, slowest, plane)[2]
-    steps = int((3.0 * longest + 2e-4 * ball.radius / slowest) / dt)
+    steps = int((3.0 * longest + 2e-5 * ball.radius / slowest) / dt)
     (folder / "in.impacts").write_text(
         script(folder, material, ball, impacts, plane, factor, dt, steps, extra))
     done = grainjet.run(["liggghts-plugins", "-in", "in.impacts"], folder)

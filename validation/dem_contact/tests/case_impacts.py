@@ -91,7 +91,7 @@ class Impacts(Case):
     def test_equal_spheres_with_opposite_slip(self):
         """Chung & Ooi 5 and 7: two equal balls share the slip; sliding throughout, each loses the tangential
         impulse mu (1 + e) vn/2 and gains the spin 5/4 mu (1 + e) vn/R. Very stiff, so that they do not turn about each other meanwhile."""
-        material = im.Material(70e13, 0.33, 0.98, 0.1)
+        material = im.Material(70e14, 0.33, 0.98, 0.1)
         ball = im.Ball(0.01, 2700)
         states = [im.Impact(0.2, 0.4), im.Impact(0.2, 0.8)]
         for before, after in zip(states, im.run(self.folder, material, ball, states)):
