@@ -214,39 +214,46 @@ void FixFluidForce::pre_final_integrate()
 
 void FixFluidForce::apply(double kick, bool remove, bool book)
 {
-  double **v = atom->v;
-  double **f = atom->f;
-  const double *rmass = atom->rmass;
-  const int *mask = atom->mask;
   const int nlocal = atom->nlocal;
+  if (nlocal == 0) return;
   const double half = 0.5 * update->dt;
-
-  double *coefficient = dragCoefficient_->vector_atom;
-  double **applied = fluidForce_->array_atom;
-  double **impulse = impulse_->array_atom;
   double buoyancy[3];
   if (uniform_) uniform_->buoyancy(buoyancy);
 
+  // The loop is bound by memory. LIGGGHTS' arrays of vectors are one block each, so their
+  // rows need not be looked up.
+  const double *velocities = atom->v[0];
+  const double *fluids = coupled_ ? fluidVelocity_->array_atom[0] : NULL;
+  const double *explicits = coupled_ ? explicitForce_->array_atom[0] : NULL;
+  double *coefficient = dragCoefficient_->vector_atom;
+
   for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
+    const int first = 3 * i;
+    double *f = atom->f[0] + first;
+    double *applied = fluidForce_->array_atom[0] + first;
+    double *impulse = impulse_->array_atom[0] + first;
+    const double *v = velocities + first;
+    const double *fluid = coupled_ ? fluids + first : uniform_->velocity();
 
     double given[3], other[3];
     for (int dim = 0; dim < 3; dim++) {
-      if (remove) f[i][dim] -= applied[i][dim];
-      given[dim] = coupled_ ? explicitForce_->array_atom[i][dim]
+      if (remove) f[dim] -= applied[dim];
+      given[dim] = coupled_ ? explicits[first + dim]
         : buoyancy[dim] * UniformFlow::volume(atom->radius[i]);
-      other[dim] = f[i][dim] + given[dim];
+      other[dim] = f[dim] + given[dim];
     }
-    if (uniform_) coefficient[i] = uniform_->dragCoefficient(i, other, kick);
-    const double *fluid = fluid_velocity(i);
+    if (uniform_)
+      coefficient[i] =
+        uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0);
 
-    const ExponentialDrag drag(coefficient[i], kick, rmass[i]);
+    const ExponentialDrag drag(coefficient[i], kick, atom->rmass[i]);
     for (int dim = 0; dim < 3; dim++) {
       const double force =
-        given[dim] + drag.slip * (fluid[dim] - v[i][dim]) - drag.other * other[dim];
-      f[i][dim] += force;
-      if (book) impulse[i][dim] += half * (applied[i][dim] + force);
-      applied[i][dim] = force;
+        given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
+      f[dim] += force;
+      if (book) impulse[dim] += half * (applied[dim] + force);
+      applied[dim] = force;
     }
   }
   if (fluidTorque_) rotational_drag(kick, remove);

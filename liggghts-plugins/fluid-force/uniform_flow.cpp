@@ -85,7 +85,8 @@ double UniformFlow::volume(double radius)
 
 /* ---------------------------------------------------------------------- */
 
-double UniformFlow::dragCoefficient(int i, const double *other, double kick) const
+double UniformFlow::dragCoefficient(int i, const double *other, double kick,
+  double before) const
 {
   const double mass = atom->rmass[i], size = volume(atom->radius[i]);
   double slip[3];
@@ -96,9 +97,14 @@ double UniformFlow::dragCoefficient(int i, const double *other, double kick) con
   state.diameter = 2.0 * atom->radius[i] / force->cg(atom->type[i]);
   state.density = density_;
   state.viscosity = viscosity_;
-  state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
 
-  const ExponentialDrag drag(law_(state) * size, kick, mass);
+  const double slow = 0.05;    // b h / m up to which the last coefficient is a good estimate
+  double estimate = before;
+  if (before <= 0.0 || before * kick > slow * mass) {
+    state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+    estimate = law_(state) * size;
+  }
+  const ExponentialDrag drag(estimate, kick, mass);
   for (int dim = 0; dim < 3; dim++)
     slip[dim] -= 0.5 * kick / mass * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
   state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);

@@ -36,10 +36,12 @@ class UniformFlow : protected Pointers {
 
   // Drag coefficient (kg/s) of grain i over a kick (s) under another force (N), by the
   // drag law with the original particle's diameter and the grain's volume. Taken at the
-  // mean of the slip before the kick and the slip that a first estimate leaves: second
-  // order in time, and for a long time step it converges to the terminal velocity where
-  // the slip before the kick alone would make it oscillate.
-  double dragCoefficient(int i, const double *other, double kick) const;
+  // mean of the slip before the kick and an estimate of the slip after it: second order
+  // in time, and for a long time step it converges to the terminal velocity where the
+  // slip before the kick alone would make it oscillate. The estimate uses the coefficient
+  // of the step before, which is exact enough while the drag is slow against the kick,
+  // or else, and where there is none (0), one more evaluation of the law.
+  double dragCoefficient(int i, const double *other, double kick, double before) const;
 
   // Torque per angular velocity (kg m2/s) of a sphere that spins in fluid at rest,
   // pi mu d^3 (Stokes; Happel & Brenner 1983, section 5-3). A grain's spin decays at the

@@ -42,7 +42,7 @@ static const int GATHER_EVERY = 1000;
 FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   every_(1000), start_(0.0), state_(NULL),
-  rebuild_(true), elsewhere_(false), warned_(false), observed_(false),
+  rebuild_(true), thorough_(true), elsewhere_(false), warned_(false), observed_(false),
   clock_(-1.0), begin_(0.0), restartedEvents_(-1.0)
 {
   parse(narg, arg);
@@ -174,6 +174,7 @@ void FixPlateStats::init()
 
 void FixPlateStats::setup(int)
 {
+  thorough_ = true;
   if (clock_ < 0.0) {
     clock_ = update->get_cur_time();
     begin_ = std::max(clock_, start_);
@@ -214,22 +215,24 @@ bool FixPlateStats::touches(int i, double **forces) const
 
 /* ----------------------------------------------------------------------
    The wall's own neighbour lists rest on the same margin: until the next rebuild no
-   grain moves by more than the skin.
+   grain moves by more than the skin. Only between runs can a grain be put elsewhere
+   while it touches; then all are looked at.
 ------------------------------------------------------------------------- */
 
 void FixPlateStats::find_near()
 {
-  rebuild_ = false;
-  near_.clear();
+  const bool look = !elsewhere_ && begunAll_[0] + begun_[0] == 0.0;
   double **forces = wall_->forces();
+  near_.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (std::fabs(plate_->height(atom->x[i])) < atom->radius[i] + neighbor->skin
-        || contact(i).steps > 0.0)
+        || (thorough_ && contact(i).steps > 0.0))
       near_.push_back(i);
-    else if (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0)
+    else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
       elsewhere_ = true;
   }
+  rebuild_ = thorough_ = false;
 }
 
 /* ----------------------------------------------------------------------

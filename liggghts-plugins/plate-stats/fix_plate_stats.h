@@ -75,7 +75,7 @@ class FixPlateStats : public Fix {
   // ---- on every rank
 
   std::vector<int> near_;           // grains that can reach the plate until the next rebuild
-  bool rebuild_;
+  bool rebuild_, thorough_;         // near_ is out of date; grains may have been moved by hand
   bool elsewhere_;                  // the wall has touched grains away from the plate
   bool warned_;                     // that has been said
   bool observed_;                   // grains in contact from before have been marked

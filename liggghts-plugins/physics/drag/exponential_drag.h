@@ -34,8 +34,8 @@ struct ExponentialDrag {
     const double x = b * kick / mass;
     double phi1;
     if (x < 0.05) {    // series of 1 - phi1: the difference itself would lose digits
-      other = x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6 * (1 - x / 7
-        * (1 - x / 8))))));
+      other = x * (1.0/2 - x * (1.0/6 - x * (1.0/24 - x * (1.0/120 - x * (1.0/720
+        - x * (1.0/5040 - x * (1.0/40320)))))));
       phi1 = 1.0 - other;
     } else {
       phi1 = -std::expm1(-x) / x;
