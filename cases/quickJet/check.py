@@ -61,8 +61,7 @@ def main():
     p = parameters()
     D = p["D"]
     planes = [Plane(*found) for found in tables.planes(CASE/"postProcessing"/"profiles").items()]
-    balance = tables.read(
-        tables.latest(CASE/"postProcessing"/"liggghtsCoupling")/"balance.dat")
+    balance = tables.history(CASE/"postProcessing"/"liggghtsCoupling", "balance")
     start, end = (fields.grains_at(CASE/"postProcessing"/"grains", p[time])
                   for time in ("sampleStart", "endTime"))
 

@@ -23,24 +23,36 @@ def read(path):
     return dict(zip(names, rows.T))
 
 
-def latest(folder):
-    """The subfolder of a function object's folder with the largest start time."""
-    starts = [entry for entry in pathlib.Path(folder).iterdir() if entry.is_dir()]
-    if not starts:
+def starts(folder):
+    """The subfolders of a function object's folder, one per start of the solver, in order."""
+    found = [entry for entry in pathlib.Path(folder).iterdir() if entry.is_dir()]
+    if not found:
         raise FileNotFoundError(f"{folder}: no results there")
-    return max(starts, key=lambda entry: float(entry.name))
+    return sorted(found, key=lambda entry: float(entry.name))
+
+
+def history(folder, name):
+    """A table with a column Time, joined over all starts; where they overlap the later one holds.
+
+    OpenFOAM names the table of a second start from the same time name_<time>.dat."""
+    parts = [read(max(start.glob(f"{name}*.dat"), key=lambda path: path.stat().st_mtime))
+             for start in starts(folder)]
+    for earlier, later in zip(parts, parts[1:]):
+        kept = earlier["Time"] < later["Time"][0]
+        earlier.update({column: values[kept] for column, values in earlier.items()})
+    return {column: numpy.concatenate([part[column] for part in parts]) for column in parts[0]}
 
 
 def planes(folder):
     """{position in diameters: path} of the files of a particleSamplingPlanes object, in order."""
     found = {float(re.fullmatch(r"plane_(.+)D", path.stem)[1]): path
-             for path in latest(folder).glob("plane_*D.dat")}
+             for path in starts(folder)[-1].glob("plane_*D.dat")}
     return dict(sorted(found.items()))
 
 
 def stated(path):
-    """{name: value} of the numbers stated as `name = value` in the `#` lines of a table; the last
-    of equal names wins unless the line starts with a title: then the key is `title: name`."""
+    """{name: value} of the numbers stated as `name = value` in the `#` lines of a table. In a line
+    with a title the key is `title: name`."""
     found = {}
     with open(path) as lines:
         for line in lines:
