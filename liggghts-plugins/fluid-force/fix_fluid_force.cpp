@@ -33,7 +33,7 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   coupled_(false),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
   fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
-  exchange_(), lost_(lmp, groupbit), doorOpen_(false),
+  exchange_(), lost_(lmp, groupbit), doorOpen_(false), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
   parse(narg, arg);
@@ -79,7 +79,7 @@ int FixFluidForce::setmask()
 {
   // The force is added in pre_final_integrate, which runs after all fixes' post_force:
   // so it acts last whatever the order of the fixes in the script.
-  int mask = PRE_INITIAL_INTEGRATE | PRE_FINAL_INTEGRATE;
+  int mask = PRE_INITIAL_INTEGRATE | PRE_NEIGHBOR | PRE_FINAL_INTEGRATE;
   if (coupled_) mask |= PRE_EXCHANGE;
   return mask;
 }
@@ -141,6 +141,7 @@ void FixFluidForce::init()
     error->all(FLERR, "Fix fluid/force does not work with run_style respa, use verlet");
 
   if (uniform_) uniform_->init();
+  held_.init();
   check_other_fixes();
   if (coupled_) lost_.act_first(modify->find_fix(id));
 }
@@ -186,6 +187,8 @@ void FixFluidForce::set_arrays(int i)
 
 void FixFluidForce::setup(int)
 {
+  held_.reorder();
+  held_.update(update->ntimestep + 1);
   apply(0.5 * update->dt, false, false);
   freshSetup_ = true;
 }
@@ -201,8 +204,16 @@ void FixFluidForce::pre_initial_integrate()
 
 /* ---------------------------------------------------------------------- */
 
+void FixFluidForce::pre_neighbor()
+{
+  held_.reorder();
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixFluidForce::pre_final_integrate()
 {
+  held_.update(update->ntimestep);
   apply(update->dt, false, true);
 }
 
@@ -214,6 +225,7 @@ void FixFluidForce::pre_final_integrate()
 
 void FixFluidForce::apply(double kick, bool remove, bool book)
 {
+  sumStep_ = -1;    // on all ranks alike, also on one without grains
   const int nlocal = atom->nlocal;
   if (nlocal == 0) return;
   const double half = 0.5 * update->dt;
@@ -233,6 +245,10 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
     double *f = atom->f[0] + first;
     double *applied = fluidForce_->array_atom[0] + first;
     double *impulse = impulse_->array_atom[0] + first;
+    if (held_.holds(i)) {
+      applied[0] = applied[1] = applied[2] = 0.0;
+      continue;
+    }
     const double *v = velocities + first;
     const double *fluid = coupled_ ? fluids + first : uniform_->velocity();
 
@@ -257,7 +273,6 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
     }
   }
   if (fluidTorque_) rotational_drag(kick, remove);
-  sumStep_ = -1;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -274,7 +289,7 @@ void FixFluidForce::rotational_drag(double kick, bool remove)
   double **torque = atom->torque;
   double **applied = fluidTorque_->array_atom;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit) || held_.holds(i)) continue;
     const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
     const ExponentialDrag drag(uniform_->spinCoefficient(i), kick, inertia);
     for (int dim = 0; dim < 3; dim++) {

@@ -15,6 +15,7 @@ FixStyle(fluid/force,FixFluidForce)
 
 #include "fix.h"
 #include "fluid_force_exchange.h"
+#include "held_grains.h"
 #include "lost_grains.h"
 #include "uniform_flow.h"
 
@@ -56,6 +57,7 @@ class FixFluidForce : public Fix {
   void setup_pre_exchange();
   void pre_initial_integrate();
   void pre_exchange();
+  void pre_neighbor();
   void pre_final_integrate();
   void set_arrays(int);
   double compute_vector(int);
@@ -80,6 +82,7 @@ class FixFluidForce : public Fix {
   LostGrains lost_;
   bool doorOpen_;                   // a coupling has asked for the exchange: book losses
 
+  HeldGrains held_;
   bool freshSetup_;                 // forces of the set-up not yet used for a kick
   bigint sumStep_;                  // step of sums_, -1: none
   double sums_[5];                  // force, sum of slip speeds, number of those

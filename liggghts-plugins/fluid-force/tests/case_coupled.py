@@ -309,6 +309,84 @@ class Coupled(grainjet.Case):
         balance = end["px"] + end["lx"] - inserted * mass * 1 - end["ix"]
         self.assertLess(abs(balance) / end["ix"], 1e-12)
 
+    def test_grains_carried_by_insert_stream(self):
+        """insert/stream carries its grains at constant velocity to the face and undoes all forces
+        until then: no impulse is booked for them, the balance holds from release on."""
+        face = "solid s\n"
+        for a, b, c in (((0, 0), (0.006, 0), (0.006, 0.006)), ((0, 0), (0.006, 0.006), (0, 0.006))):
+            face += "facet normal 1 0 0\nouter loop\n"
+            face += "".join(f"vertex 0.004 {p[0] + 0.002} {p[1] + 0.002}\n" for p in (a, b, c))
+            face += "endloop\nendfacet\n"
+        (self.folder / "face.stl").write_text(face + "endsolid s\n")
+        for ranks in (1, 2):
+            result = self.liggghts(self.head(boundary="f f f") + BOX + f"""
+                fix m1 all property/global youngsModulus peratomtype 5.e6
+                fix m2 all property/global poissonsRatio peratomtype 0.3
+                fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+                fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
+                plugin load {DOOR}
+                fix f all fluid/force coupled
+                fix pt all particletemplate/sphere 15485863 atom_type 1 density constant 2950 &
+                    radius constant 4e-5 volume_limit 1e-16
+                fix pd all particledistribution/discrete 32452843 1 pt 1.0
+                fix face all mesh/surface/planar file face.stl type 1
+                fix in all insert/stream seed 86028157 distributiontemplate pd nparticles 20000 &
+                    particlerate 100000 overlapcheck yes all_in no vel constant 2 0 0 &
+                    insertion_face face extrude_length 0.001
+                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix i all nve/sphere
+                {self.VARIABLES}
+                dump d all custom 30 young.dump id vx x f_fluidStartPosition[1] &
+                    f_fluidDragCoefficient f_fluidHost[1] f_fluidImpulse[1] f_fluidForce[1]
+                dump_modify d format "%d{7 * ' %.17g'}"
+                run 30
+                undump d
+                run 570
+                {self.PRINT}
+            """, ranks)
+            young = self.dump("young.dump")
+            carried = young[young[:, 1] == 2]
+            self.assertGreater(len(carried), 10)
+            self.assertGreater(len(young), len(carried))
+            self.assertTrue((carried[:, 6:] == 0).all())
+            end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
+            mass = math.pi / 6 * 80e-6 ** 3 * 2950
+            self.assertGreater(end["ix"], 0.1 * end["px"])
+            balance = end["px"] + end["lx"] - (end["atoms"] + end["lost"]) * mass * 2 - end["ix"]
+            self.assertLess(abs(balance) / end["ix"], 1e-12)
+
+    def test_ranks_without_grains(self):
+        """One grain on four ranks, several runs: the global vector needs all ranks each time."""
+        self.liggghts(self.head(processors="2 2 1") + BOX + f"""
+            create_atoms 1 single 0.003 0.003 0.003 units box
+            set group all diameter 80e-6 density 2950
+            {self.WIND}
+            fix i all nve/sphere
+            thermo_style custom step f_f[1] f_f[4]
+            thermo 10
+            run 20
+            run 20
+            run 0
+        """, 4)
+
+    def test_only_the_group_feels_the_fluid(self):
+        """Grains outside the group keep their velocity and count in no sum."""
+        result = self.liggghts(self.head() + BOX + self.CLOUD + f"""
+            region left block 0 0.01 INF INF INF INF units box
+            group left region left
+            {self.WIND.replace("f all", "f left")}
+            fix i all nve/sphere
+            variable still atom vx-20*sin(id)
+            group right subtract all left
+            compute left left reduce min v_still
+            compute right right reduce max v_still
+            thermo_style custom step c_left c_right f_f[1]
+            run 50
+        """, 2)
+        row = [line.split() for line in result.output.splitlines() if line.split()[:1] == ["50"]][0]
+        self.assertNotEqual(float(row[1]), 0)
+        self.assertEqual(float(row[2]), 0)
+
     def test_without_a_coupling_nothing_acts(self):
         """coupled in stock LIGGGHTS: free flight, bit for bit, and a zero vector."""
         dump = ('dump d all custom 200 {} id x y z vx vy vz\n'
