@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <sstream>
 
@@ -142,7 +143,13 @@ void FixHertzCg::init()
   check_sizes();
 
   walls_ = grainjet::find_walls(lmp);
-  search_.choose(2.0 * rmax_, solids_volume(), walls_.mesh);
+  search_.choose(2.0 * rmax_, solids_volume(), walls_);
+
+  if (comm->me == 0)
+    for (FILE *out : {screen, logfile})
+      if (out)
+        fprintf(out, "Fix %s (hertz/cg) searches up to %g beyond contact, walls list grains up to %g; "
+                "`neighbor` and `neigh_modify delay` do not matter\n", id, search_.reach(), search_.skin());
 
   // A list that is never built: being handed it is the only call back from the host between
   // the moment it works out its cut-off (which the pair style would give) and its first use
@@ -224,7 +231,7 @@ double FixHertzCg::solids_volume() const
 
 double FixHertzCg::extend_cut_ghost()
 {
-  return 2.0 * rmax_;
+  return search_.ghosts();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -92,9 +92,15 @@ void FixHertzCg::compute_pairs(bool advance, bool again)
 {
   const Grains g(atom, update->dt);
   const std::size_t n = pairs_.size();
+  if (n == 0) return;
+  const double *x = g.x[0];
   for (std::size_t p = 0; p < n; ++p) {
+    // grains of a pair lie anywhere in memory; pairs to come are fetched ahead
+    const ContactPairs::Pair &ahead = pairs_.pairs[std::min(p + 16, n - 1)];
+    __builtin_prefetch(x + 3 * ahead.i);
+    __builtin_prefetch(x + 3 * ahead.j);
     const ContactPairs::Pair &pair = pairs_.pairs[p];
-    const double *xi = g.x[pair.i], *xj = g.x[pair.j];
+    const double *xi = x + 3 * pair.i, *xj = x + 3 * pair.j;
     const double dx = xi[0] - xj[0], dy = xi[1] - xj[1], dz = xi[2] - xj[2];
     const double rsq = dx * dx + dy * dy + dz * dz;
     if (rsq < pair.reach2) compute_contact<TANGENTIAL, ROLLING>(g, p, rsq, advance, again);

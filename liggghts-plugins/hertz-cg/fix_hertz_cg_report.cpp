@@ -128,7 +128,7 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, SKIN, MARGIN, PAIRS, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, NSAVED };
 
 }
 
@@ -150,7 +150,7 @@ void FixHertzCg::write_restart(FILE *fp)
   list[FOUND] = sum[3];
   // between runs the next one works out forces anew; in the middle of one it goes on with them
   list[IN_RUN] = update->whichflag ? 1.0 : 0.0;
-  list[SKIN] = search_.skin();
+  list[REACH] = search_.reach();
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
   const int size = sizeof(list);
@@ -179,7 +179,7 @@ void FixHertzCg::restart(char *buf)
   work_ = first ? list[WORK] : 0.0;
   found_ = first ? list[FOUND] : 0.0;
   forces_restarted_ = list[IN_RUN] != 0.0;
-  search_.keep(list[SKIN]);
+  search_.keep(list[REACH]);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
 }

@@ -177,7 +177,7 @@ void FixHertzCg::choose_margin(const double velocity[3])
 
   grainjet::MarginChoice choice;
   choice.diameter = 2.0 * rmax_;
-  choice.largest = search_.skin();
+  choice.largest = search_.reach();
   choice.pairs = pairs_per_grain_;
   choice.with = margin_;
   choice.displacement = std::sqrt(fastest) * update->dt;
@@ -201,7 +201,7 @@ void FixHertzCg::start_motion(const double velocity[3])
     limits.wallAxes[d] = walls_.axis[d];
     // grains go round, change rank or leave through an open end only at a search: none may get
     // far beyond the box before, nor pass a whole rank
-    limits.stream[d] = std::max(20.0 * rmax_, search_.skin());
+    limits.stream[d] = std::max(20.0 * rmax_, search_.reach());
     if (domain->periodicity[d] || comm->procgrid[d] > 1)
       limits.stream[d] = std::min(limits.stream[d], 0.5 * (domain->subhi[d] - domain->sublo[d]));
   }

@@ -45,7 +45,7 @@ int never(int every)
 
 /* ---------------------------------------------------------------------- */
 
-void SearchSettings::choose(double diameter, double solids, bool meshWalls)
+void SearchSettings::choose(double diameter, double solids, const WallAxes &walls)
 {
   Neighbor *neighbor = lmp_->neighbor;
   if (!taken_ || neighbor->skin != skin_) userSkin_ = neighbor->skin;
@@ -61,13 +61,15 @@ void SearchSettings::choose(double diameter, double solids, bool meshWalls)
     const double fraction = solids / (prd[0] * prd[1] * prd[2]);
     width = std::min(std::max(std::cbrt(1.0 + 0.25 / fraction) - 1.0, 0.2), 3.0);
   }
-  skin_ = kept_ > 0.0 ? kept_ : width * diameter;
+  reach_ = kept_ > 0.0 ? kept_ : width * diameter;
   kept_ = 0.0;
-  if (skin_ <= 0.0) skin_ = userSkin_;
+  if (reach_ <= 0.0) reach_ = userSkin_;
+  // so much that walls hardly ever ask for a search before two grains do, nor need a look of their own
+  skin_ = 0.55 * reach_ / walls.reach;
 
   neighbor->skin = skin_;
   neighbor->delay = never(neighbor->every);
-  choose_bins(meshWalls);
+  choose_bins(walls.mesh);
   choose_sorting();
 }
 
@@ -84,7 +86,7 @@ void SearchSettings::choose_bins(bool meshWalls)
   double size = thin;
   if (meshWalls) {
     const double bins = 1e5 + 2.0 * lmp_->atom->natoms;
-    size = std::max(0.5 * (diameter_ + skin_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
+    size = std::max(0.5 * (diameter_ + reach_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
   }
   // the host refuses bins much larger than the box is thick
   neighbor->*member(BinSize()) = std::min(size, 50.0 * thin);
@@ -102,7 +104,7 @@ void SearchSettings::choose_sorting()
   if (size > 0.0 && !ownSortBins_) return;
   const double *prd = lmp_->domain->prd;
   const double bins = 1e4 + 2.0 * lmp_->atom->natoms;
-  size = std::max(0.5 * (diameter_ + skin_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
+  size = std::max(0.5 * (diameter_ + reach_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
   ownSortBins_ = true;
 }
 

@@ -7,6 +7,8 @@
 #ifndef GRAINJET_SEARCH_SETTINGS_H
 #define GRAINJET_SEARCH_SETTINGS_H
 
+#include "hertz-cg/wall_axes.h"
+
 namespace LAMMPS_NS { class LAMMPS; }
 
 namespace grainjet {
@@ -14,8 +16,10 @@ namespace grainjet {
 /* The host's settings around the search for neighbours, as fix hertz/cg needs them. LIGGGHTS
    derives them from the pair style; there is none here, so the fix sets them itself:
 
-   - skin: how far beyond contact ghosts and the walls' own lists reach
-   - largest cut-off: what mesh walls, ghosts and bins are sized by
+   - reach: the largest margin between surfaces with which pairs may be listed; so far ghosts are
+     fetched
+   - skin: how far beyond contact the walls' own lists reach
+   - largest cut-off: what mesh walls and bins are sized by
    - when to search: LIGGGHTS' own test by absolute displacement is switched off
    - sizes of bins for mesh walls and for sorting the grains in memory: LIGGGHTS would take half
      the cut-off, which cuts a mostly empty box into a hundred million bins. What the user set by
@@ -27,15 +31,20 @@ class SearchSettings {
 
   /* Choose all of it for a run. Call before the host initialises its neighbour search.
      diameter: of the largest grain [m]; solids: volume of all grains [m3].                 */
-  void choose(double diameter, double solids, bool meshWalls);
+  void choose(double diameter, double solids, const WallAxes &walls);
 
-  // Have the next choose() take this skin [m]: that of the run that is continued
-  void keep(double skin) { kept_ = skin; }
+  // Have the next choose() take this reach [m]: that of the run that is continued
+  void keep(double reach) { kept_ = reach; }
 
   // To be called once the host has initialised its neighbour search, which forgets it
   void set_cutoff() const;
 
+  double reach() const { return reach_; }
   double skin() const { return skin_; }
+
+  // cut-off to ask the host's communication for, which adds the skin to it: it then fetches every
+  // grain i that is closer to another rank than the largest radius + the radius of i + reach()
+  double ghosts() const { return diameter_ + 2.0 * (reach_ - skin_); }
 
   // Leave the host as it was before the first choose()
   void restore();
@@ -46,7 +55,7 @@ class SearchSettings {
   void choose_sorting();
 
   LAMMPS_NS::LAMMPS *lmp_;
-  double diameter_ = 0.0, skin_ = 0.0, kept_ = 0.0;
+  double diameter_ = 0.0, reach_ = 0.0, skin_ = 0.0, kept_ = 0.0;
   bool taken_ = false;
   double userSkin_ = 0.0;
   int userDelay_ = 0;
