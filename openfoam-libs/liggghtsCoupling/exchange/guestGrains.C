@@ -76,6 +76,7 @@ Foam::guestGrains::guestGrains
     locator_(locator),
     route_(boxes),
     outside_(0),
+    travelling_(0),
     impulseBytes_(0)
 {}
 
@@ -146,6 +147,7 @@ void Foam::guestGrains::locate()
     // A host has no hint for a traveller but the cell it found last: grains that
     // arrive together are neighbours
     label near = -1;
+    travelling_ = 0;
     const labelList owner = route_.establish<guestGrain>
     (
         away,
@@ -159,6 +161,7 @@ void Foam::guestGrains::locate()
             }
             near = place.cell;
             admit(guest, place, -1);
+            ++travelling_;
             return guests_.size() - 1;
         }
     );

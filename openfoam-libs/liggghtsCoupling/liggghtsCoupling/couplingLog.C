@@ -32,6 +32,22 @@ void printProvided(const Foam::scalar value)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::couplingLog::warn(const scalar maxSolidFraction)
+{
+    // The neglected inertia and displacement are of the order of the solid fraction
+    const scalar noticeable = 0.05;
+
+    if (!warned_ && maxSolidFraction > noticeable)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "Grains fill " << 100*maxSolidFraction << " % of a cell. The"
+            << " solver's equations hold no void fraction: there they are wrong by"
+            << " about as much. This is said once" << endl;
+    }
+}
+
+
 Foam::scalar Foam::couplingLog::courant() const
 {
     const auto* phi = mesh_.cfindObject<surfaceScalarField>("phi");
@@ -69,7 +85,8 @@ void Foam::couplingLog::writeTableHeader()
             "maxSolidFraction", "volumeCut", "meanSlip", "Courant",
             "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
             "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
-            "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling", "bytes"
+            "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling",
+            "travelling", "bytes"
         }
     )
     {
@@ -86,6 +103,7 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
     mesh_(mesh),
     twoWay_(twoWay),
+    warned_(false),
     clock_(),
     startSeconds_(-1),
     startTime_(0),
@@ -121,11 +139,14 @@ void Foam::couplingLog::write(const step& values)
     const scalar fluidSeconds = all - values.demSeconds - values.couplingSeconds;
     previousSeconds_ = now;
 
+    warn(values.maxSolidFraction);
+
     const vector sums = returnReduce
     (
         vector(values.slipSum, values.guests, values.bytes),
         sumOp<vector>()
     );
+    const label travelling = returnReduce(values.travelling, sumOp<label>());
     const scalar slip = sums[1] > 0 ? sums[0]/sums[1] : 0;
 
     const vector toGrains = returnReduce(values.toGrains, sumOp<vector>());
@@ -153,7 +174,8 @@ void Foam::couplingLog::write(const step& values)
     Info<< "liggghtsCoupling: grains " << values.counts.present
         << " (inserted " << values.counts.inserted
         << ", left " << left
-        << ", outside mesh " << values.outside << "), contacts ";
+        << ", outside mesh " << values.outside
+        << ", on another rank " << travelling << "), contacts ";
     printProvided(values.counts.contacts);
     Info<< ", max solid fraction " << values.maxSolidFraction
         << ", slip " << slip
@@ -187,7 +209,7 @@ void Foam::couplingLog::write(const step& values)
         }
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << values.couplingSeconds
-            << tab << sums[2] << endl;
+            << tab << travelling << tab << sums[2] << endl;
     }
 }
 

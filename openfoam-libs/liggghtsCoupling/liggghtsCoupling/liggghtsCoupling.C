@@ -7,7 +7,6 @@
 #include "liggghtsCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
-#include "OSspecific.H"
 #include "zeroGradientFvPatchFields.H"
 #include "physics/drag/drag_laws.h"
 
@@ -99,98 +98,6 @@ bool Foam::fv::liggghtsCoupling::readSwitch
 }
 
 
-void Foam::fv::liggghtsCoupling::checkCase() const
-{
-    const Time& time = mesh_.time();
-
-    const fileName path
-    (
-        script_.isAbsolute() ? script_ : time.globalPath()/script_
-    );
-    const bool found = returnReduce
-    (
-        !Pstream::master() || Foam::isFile(path, false),
-        andOp<bool>()
-    );
-    if (!found)
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "script " << script_ << " not found: there is no file " << path
-            << exit(FatalIOError);
-    }
-
-    if (interval_ < 1)
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "couplingInterval " << interval_ << " is not positive: it is the"
-            << " number of DEM steps in a fluid step" << exit(FatalIOError);
-    }
-
-    if (time.controlDict().lookupOrDefault("adjustTimeStep", false))
-    {
-        FatalIOErrorInFunction(time.controlDict())
-            << "adjustTimeStep yes cannot be used with " << typeName
-            << ": the fluid step is couplingInterval DEM steps. Set it to no"
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fv::liggghtsCoupling::checkTimeStep() const
-{
-    const scalar fluid = mesh_.time().deltaTValue();
-    const scalar dem = session_->timeStep();
-
-    // Both are typed decimal numbers: equal up to their representation
-    if (mag(fluid - interval_*dem) > 1e-9*fluid)
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
-            << " s (system/controlDict), couplingInterval " << interval_
-            << ", timestep " << dem << " s (" << script_ << "), product "
-            << interval_*dem << " s.\n    Set deltaT to " << interval_*dem
-            << " or couplingInterval to " << fluid/dem << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fv::liggghtsCoupling::checkOverlap() const
-{
-    const liggghtsSession::simulationBox box = session_->box();
-    const boundBox dem
-    (
-        point(box.low[0], box.low[1], box.low[2]),
-        point(box.high[0], box.high[1], box.high[2])
-    );
-
-    if (!dem.overlaps(mesh_.bounds()))
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "No grain can ever meet the fluid: the box of " << script_ << ' '
-            << dem << " and the mesh " << mesh_.bounds()
-            << " have no part in common. Both are in metres"
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fv::liggghtsCoupling::setPeriod()
-{
-    const liggghtsSession::simulationBox box = session_->box();
-    vector period(Zero);
-    point low;
-    for (direction k = 0; k < 3; ++k)
-    {
-        low[k] = box.low[k];
-        if (box.periodic[k])
-        {
-            period[k] = box.high[k] - box.low[k];
-        }
-    }
-    locator_.setPeriod(low, period);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fv::liggghtsCoupling::liggghtsCoupling
@@ -205,6 +112,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     script_(coeffs_.get<fileName>("script")),
     interval_(coeffs_.get<label>("couplingInterval")),
     twoWay_(readSwitch(coeffs_, "coupling", "twoWay", "oneWay")),
+    setI_(readSwitch(coeffs_, "formulation", "SetI", "SetII")),
     drag_(selectDrag(coeffs_)),
     fluid_(coeffs_, mesh),
     locator_(mesh),
@@ -215,6 +123,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     ),
     sampler_(fluidSampler::New(coeffs_, mesh)),
     momentum_(grainMomentum::New(coeffs_, fluid_)),
+    turbulence_(grainTurbulence::New(coeffs_, mesh)),
     shares_(locator_, boxes_),
     log_(mesh, twoWay_),
     timeIndex_(mesh.time().timeIndex()),
@@ -226,6 +135,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         zeroGradientFvPatchVectorField::typeName
     ),
     bodyForce_(Zero),
+    solidVolume_(mesh.nCells(), Zero),
+    responseTime_(mesh.nCells(), Zero),
     voidFraction_
     (
         coupledField("voidFraction", mesh),
@@ -253,6 +164,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     )
 {
     fieldNames_ = wordList(1, fluid_.UName());
+    if (twoWay_ && turbulence_)
+    {
+        fieldNames_.append(turbulence_->fields());
+    }
     applied_.setSize(fieldNames_.size(), false);
 
     for
@@ -357,6 +272,22 @@ void Foam::fv::liggghtsCoupling::addSup
     {
         momentum_->addSup(eqn);
     }
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    fvMatrix<scalar>& eqn,
+    const label fieldi
+)
+{
+    turbulence_->addSup
+    (
+        eqn,
+        fieldNames_[fieldi],
+        dragCoefficient_.primitiveField()/fluid_.rho(),
+        responseTime_
+    );
 }
 
 

@@ -31,6 +31,7 @@ struct exchanged
     vector impulse;         // N s, to be taken from the fluid
     scalar dragCoefficient; // kg/s
     scalar slope;           // kg/s, d(impulse)/dU/dt
+    scalar mass;            // kg
 };
 
 } // End anonymous namespace
@@ -47,7 +48,7 @@ void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
 {
     const UList<guestGrain>& guests = guests_->guests();
 
-    scalarField solidVolume(mesh_.nCells(), Zero);
+    solidVolume_ = Zero;
     scalarField mass(mesh_.nCells(), Zero);
     vectorField& momentum = particleVelocity_.primitiveFieldRef();
     momentum = Zero;
@@ -64,7 +65,7 @@ void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
         },
         [&](const label celli, const scalar fraction, const content& c)
         {
-            solidVolume[celli] += fraction*c.volume;
+            solidVolume_[celli] += fraction*c.volume;
             mass[celli] += fraction*c.mass;
             momentum[celli] += fraction*c.momentum;
         }
@@ -78,8 +79,8 @@ void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
         }
     }
 
-    step.maxSolidFraction = gMax(scalarField(solidVolume/mesh_.V().field()));
-    step.volumeCut = voidFractionModel_->calculate(solidVolume, voidFraction_);
+    step.maxSolidFraction = gMax(scalarField(solidVolume_/mesh_.V().field()));
+    step.volumeCut = voidFractionModel_->calculate(solidVolume_, voidFraction_);
 }
 
 
@@ -142,10 +143,21 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
     }
     step.toGrains = sum(impulse_) + orphaned;
 
+    // SetII: the reaction of forces but drag follows below, from the cells' own fields
+    if (!setI_)
+    {
+        forAll(guests, g)
+        {
+            impulse_[g] -=
+                dt*(actions_[g].force - guests[g].volume()*bodyForce_);
+        }
+    }
+
     vectorField impulse(mesh_.nCells(), Zero);
     scalarField slope(mesh_.nCells(), Zero);
     scalarField& coefficient = dragCoefficient_.primitiveFieldRef();
     coefficient = Zero;
+    responseTime_ = Zero;
 
     shares_.deposit<exchanged>
     (
@@ -153,16 +165,23 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
         {
             const scalar b = actions_[g].dragCoefficient;
             const scalar m = guests[g].mass;
-            return exchanged{impulse_[g], b, -m/dt*std::expm1(-b*dt/m)};
+            return exchanged{impulse_[g], b, -m/dt*std::expm1(-b*dt/m), m};
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {
             impulse[celli] += fraction*e.impulse;
             coefficient[celli] += fraction*e.dragCoefficient;
             slope[celli] += fraction*e.slope;
+            responseTime_[celli] += fraction*e.mass;
         }
     );
 
+    if (!setI_)
+    {
+        impulse += dt*solidVolume_*forceDensity_.primitiveField();
+    }
+
+    responseTime_ /= coefficient + VSMALL;
     coefficient /= mesh_.V().field();
     particleMomentumSource_.primitiveFieldRef() =
         -impulse/(dt*mesh_.V().field());
@@ -201,6 +220,7 @@ void Foam::fv::liggghtsCoupling::advance()
 
     step.counts = session_->counts();
     step.outside = guests_->outside();
+    step.travelling = guests_->travelling();
     step.bytes = guests_->bytes() + shares_.bytes();
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
     log_.write(step);

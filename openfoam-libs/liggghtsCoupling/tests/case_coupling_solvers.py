@@ -1,0 +1,139 @@
+"""Other solvers, outer correctors, formulations, turbulence sources, many ranks."""
+# processors: 2
+
+import pathlib
+import re
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import case_coupling
+import coupled_box as box
+import grainjet
+from case_coupling import swarm
+
+OPTIONS = {"interpolation": "cell"}
+
+
+class Solvers(grainjet.Case):
+
+    run_box = case_coupling.Coupling.run_box
+    compare = case_coupling.Coupling.compare
+
+    def test_piso_foam(self):
+        """pisoFoam is pimpleFoam with one outer corrector: the same to round-off, 1e-11."""
+        folder = self.folder / "piso"
+        pimple = self.run_box(0, options=OPTIONS)
+        box.write(folder, steps=20)
+        for name in ("in.particles", "new.grains", "fvOptions"):
+            (folder / "constant" / name).write_text((pimple / "constant" / name).read_text())
+        for name in ("controlDict", "fvSolution"):
+            path = folder / "system" / name
+            path.write_text(path.read_text().replace("pimpleFoam", "pisoFoam")
+                            .replace("PIMPLE", "PISO"))
+        self.foam("blockMesh", folder)
+        self.foam("pisoFoam", folder)
+        self.compare(pimple, folder, "0.002", 1e-11)
+
+    def test_outer_correctors(self):
+        """Three outer correctors do not advance the grains three times."""
+        folder = self.run_box(0, correctors="nOuterCorrectors 3; nCorrectors 1;")
+        self.assertEqual(self.result.output.count("PIMPLE: iteration 3"), 20)
+        balance = box.read_balance(folder)
+        self.assertEqual(len(balance["Time"]), 20)
+        steps = re.findall(r"ITEM: TIMESTEP\n(\d+)", (folder / "grains.dump").read_text())
+        self.assertEqual(steps[-1], "200")
+        self.assertLess(max(balance["imbalance"]), 1e-10)
+
+    def test_four_ranks(self):
+        """As on 2 ranks: the same to round-off, 1e-11."""
+        serial = self.run_box(0, options=OPTIONS)
+        parallel = self.run_box(4, options=OPTIONS, decomposition="(1 2 2)", ranks_in_case=4)
+        self.compare(serial, parallel, "0.002", 1e-11)
+
+    def test_matching_decompositions(self):
+        """Both sides cut in z: fewer than one grain in ten lives on another rank than its
+        cell. Not so if one side is cut in x."""
+        share = {}
+        for decomposition in ("(1 1 2)", "(2 1 1)"):
+            folder = self.run_box(2, options=OPTIONS, decomposition=decomposition,
+                                  processors="processors 1 1 2")
+            share[decomposition] = max(box.read_balance(folder)["travelling"]) / 300
+        self.assertLess(share["(1 1 2)"], 0.1)
+        self.assertGreater(share["(2 1 1)"], 0.3)
+
+    def test_set_ii(self):
+        """Set II differs from Set I only where the force at a grain differs from that of its
+        cell: by nothing if cell values are used and grains lie whole in a cell."""
+        one = self.run_box(0, options={**OPTIONS, "voidFraction": "{ model centre; }"})
+        two = self.run_box(0, options={**OPTIONS, "voidFraction": "{ model centre; }",
+                                       "formulation": "SetII"})
+        self.compare(one, two, "0.002", 1e-9)
+        interpolated = self.run_box(0, options={"formulation": "SetII"})
+        self.assertGreater(max(box.read_balance(interpolated)["imbalance"]), 0)
+
+    def test_dense_cells_are_announced_once(self):
+        """Grains that fill a tenth of a cell: one warning with the number, and below the
+        minimum void fraction the volume cut is reported."""
+        x = [(0.0101 + 1e-6 * i, 0.0101, 0.0101) for i in range(2)]
+        folder = self.run_box(0, steps=3, grains=(x, [(0, 0, 0)] * 2), diameter=1.2e-3,
+                              options={"voidFraction": "{ model centre; minimum 0.9; }"})
+        self.assertEqual(self.result.output.count("Grains fill"), 1)
+        self.assertIn("22.6", self.result.output)
+        volume = 2 * 3.14159265 / 6 * 1.2e-3 ** 3
+        self.assertAlmostEqual(box.read_balance(folder)["volumeCut"][0], volume - 0.1 * 8e-9,
+                               delta=1e-5 * volume)
+
+
+class TurbulenceSources(grainjet.Case):
+
+    run_box = case_coupling.Coupling.run_box
+
+    def decay(self, model):
+        """Turbulent kinetic energy in the box after 20 steps."""
+        folder = self.folder / model
+        box.write(folder, steps=20, velocity="(0 0 1)")
+        (folder / "constant/turbulenceProperties").write_text(
+            box.HEADER.format("dictionary", "turbulenceProperties")
+            + "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
+        for name, value, dimension in (("k", 0.5, "0 2 -2"), ("epsilon", 50, "0 2 -3"),
+                                       ("nut", 0, "0 2 -1")):
+            (folder / "0" / name).write_text(
+                box.HEADER.format("volScalarField", name)
+                + f'dimensions [{dimension} 0 0 0 0]; internalField uniform {value};\n'
+                'boundaryField { ".*" { type cyclic; } }\n')
+        x, v = swarm(3000, 4, mean=(0, 0, 1), rms=0)
+        box.script(folder, grains=box.grains(x, v))
+        box.fv_options(folder, turbulenceSources=model)
+        path = folder / "system/fvSolution"
+        path.write_text(path.read_text().replace('"U.*"', '"(U|k|epsilon).*"'))
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        k = box.read_internal(folder / "0.002/k")
+        return sum(k) / len(k)
+
+    def test_chen_wood_damps(self):
+        """Homogeneous turbulence with grains far too heavy to follow it: dk/dt = - eps - 2ck,
+        deps/dt = - 1.92 eps^2/k - 1.2 2c eps with c = Ksl/rho, integrated with the solver's own
+        implicit Euler steps. The difference to the decay without grains within 0.5 %, since c
+        varies from cell to cell and by 1e-3 on the way."""
+        none, damped = self.decay("none"), self.decay("ChenWood")
+        ksl = box.read_internal(self.folder / "ChenWood/0.002/dragCoefficient")
+        c = sum(ksl) / len(ksl) / 1.2
+
+        def exact(c, dt=1e-4):
+            k, eps = 0.5, 50.0
+            for _ in range(20):
+                eps /= 1 + dt * (1.92 * eps / k + 2.4 * c)
+                k /= 1 + dt * (eps / k + 2 * c)
+            return k
+
+        seen, expected = none - damped, exact(0) - exact(c)
+        print(f"\nk {none:.6g} alone, {damped:.6g} with grains; difference {seen:.5g}, "
+              f"expected {expected:.5g} m2/s2")
+        self.assertGreater(seen, 0)
+        self.assertLess(abs(seen / expected - 1), 0.005)
+
+
+if __name__ == "__main__":
+    unittest.main()

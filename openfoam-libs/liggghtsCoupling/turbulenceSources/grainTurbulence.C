@@ -1,0 +1,47 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainTurbulence.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(grainTurbulence, 0);
+    defineRunTimeSelectionTable(grainTurbulence, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::grainTurbulence> Foam::grainTurbulence::New
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const word model(dict.lookupOrDefault<word>("turbulenceSources", "none"));
+
+    if (model == "none")
+    {
+        return autoPtr<grainTurbulence>();
+    }
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown turbulenceSources " << model << "\n\nValid: none "
+            << dictionaryConstructorTablePtr_->sortedToc()
+            << exit(FatalIOError);
+    }
+
+    return autoPtr<grainTurbulence>(cstrIter()(dict, mesh));
+}
+
+
+// ************************************************************************* //
