@@ -171,9 +171,11 @@ void Foam::couplingLog::write(const step& values)
        *max(time.endTime().value() - time.value(), scalar(0))/max(done, VSMALL);
     const scalar Co = courant();
 
-    Info<< "liggghtsCoupling: grains " << values.counts.present
-        << " (inserted " << values.counts.inserted
-        << ", left " << left
+    // For the eye, whatever precision the case writes its fields with
+    const int precision = Info().precision(4);
+    Info<< "liggghtsCoupling: grains " << label(values.counts.present)
+        << " (inserted " << label(values.counts.inserted)
+        << ", left " << label(left)
         << ", outside mesh " << values.outside
         << ", on another rank " << travelling << "), contacts ";
     printProvided(values.counts.contacts);
@@ -194,6 +196,7 @@ void Foam::couplingLog::write(const step& values)
         Info<< "liggghtsCoupling: void fraction at its minimum; solid volume cut "
             << values.volumeCut << " m3" << nl;
     }
+    Info().precision(precision);
 
     if (Pstream::master())
     {

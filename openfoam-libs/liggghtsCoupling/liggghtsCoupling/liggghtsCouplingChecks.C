@@ -10,6 +10,8 @@ Description
 
 #include "liggghtsCoupling.H"
 #include "OSspecific.H"
+#include <iomanip>
+#include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -58,12 +60,18 @@ void Foam::fv::liggghtsCoupling::checkTimeStep() const
     // Both are typed decimal numbers: equal up to their representation
     if (mag(fluid - interval_*dem) > 1e-9*fluid)
     {
-        FatalIOErrorInFunction(coeffs_)
+        // As the user typed them, whatever the case's writePrecision
+        std::ostringstream message;
+        message
+            << std::setprecision(10)
             << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
             << " s (system/controlDict), couplingInterval " << interval_
             << ", timestep " << dem << " s (" << script_ << "), product "
             << interval_*dem << " s.\n    Set deltaT to " << interval_*dem
-            << " or couplingInterval to " << fluid/dem << exit(FatalIOError);
+            << " or couplingInterval to " << fluid/dem;
+
+        FatalIOErrorInFunction(coeffs_)
+            << message.str().c_str() << exit(FatalIOError);
     }
 }
 
