@@ -16,14 +16,39 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 using namespace LAMMPS_NS;
+
+/* Two settings that the host keeps to itself, reached through pointers to members; access is
+   not checked in an explicit instantiation.                                               */
+namespace {
+
+template <class Tag, bool Force::*Member>
+struct Expose {
+  friend bool Force::*member(Tag) { return Member; }
+};
+
+struct ErrorFlag { friend bool Force::*member(ErrorFlag); };
+struct WarnFlag { friend bool Force::*member(WarnFlag); };
+
+template struct Expose<ErrorFlag, &Force::error_coarsegraining_>;
+template struct Expose<WarnFlag, &Force::warn_coarsegraining_>;
+
+}
 
 /* ---------------------------------------------------------------------- */
 
 void CoarseGrainingCommand::command(int narg, char **arg)
 {
+  if (narg >= 2 && strcmp(arg[narg - 2], "model_check") == 0) {
+    const bool warn = strcmp(arg[narg - 1], "warn") == 0;
+    if (!warn && strcmp(arg[narg - 1], "error") != 0) fail("needs error or warn after 'model_check'");
+    force->*member(ErrorFlag()) = !warn;
+    force->*member(WarnFlag()) = warn;
+    narg -= 2;
+  }
   if (narg < 1) fail("needs a factor, or one factor per atom type");
   if (modify->n_fixes_style("particletemplate") > 0)
     fail("comes after a particle template, which has its size already; state it before");

@@ -19,11 +19,13 @@ namespace LAMMPS_NS {
 
 /* States the coarse-graining factor f_cg of all grains, or one factor per atom type:
 
-     coarsegraining f [f2 ... fn]
+     coarsegraining f [f2 ... fn] [model_check error|warn]
 
    Afterwards radii in particle templates, the `neighbor` skin and bin sizes are those of the
    particles and LIGGGHTS multiplies them by f_cg. To be given once, before templates. Each
-   factor has to be >= 1. The public LIGGGHTS carries the factor but lacks the command.     */
+   factor has to be >= 1. The public LIGGGHTS carries the factor but lacks the command.
+   model_check: what a stock model does that LIGGGHTS takes for inconsistent with coarse graining,
+   end the run (default) or warn.                                                            */
 class CoarseGrainingCommand : protected Pointers {
  public:
   explicit CoarseGrainingCommand(class LAMMPS *lmp) : Pointers(lmp) {}

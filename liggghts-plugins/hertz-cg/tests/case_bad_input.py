@@ -104,11 +104,19 @@ class BadInput(Case):
     def test_coarsegraining(self):
         self.bad("coarsegraining", ">= 1", "0.5", head="coarsegraining 0.5\n", ranks=(0, 2))
         self.bad("coarsegraining", ">= 1", "two", head="coarsegraining two\n")
+        self.bad("coarsegraining", "error or warn", head="coarsegraining 2 model_check maybe\n")
         self.bad("coarsegraining", "needs a factor", head="coarsegraining\n")
         self.bad("coarsegraining", "twice", head="coarsegraining 2\ncoarsegraining 2\n")
         self.bad("coarsegraining", "after a particle template", before=TEMPLATE + "coarsegraining 2\n")
         self.bad("coarsegraining", "as many as there are atom types", before="coarsegraining 2 2 2\n")
         self.liggghts(self.script(before="coarsegraining 2\n" + TEMPLATE))
+
+    def test_models_that_liggghts_takes_for_inconsistent(self):
+        wall = ("fix m all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.1 0.1 0.1\n"
+                "fix w all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 zplane 0\n")
+        self.bad("rolling model cdt", head="coarsegraining 2\n", after=wall)
+        result = self.liggghts(self.script(head="coarsegraining 2 model_check warn\n", after=wall))
+        self.assertIn("WARNING", result.output)
 
     def test_types_of_different_factor(self):
         self.bad("grains", "(type 1, f_cg 2)", "(type 2, f_cg 3)", "different coarse-graining factors",
