@@ -113,9 +113,9 @@ def bed(folder, grains):
                       f"{(y + 0.5) * pitch + rng.uniform(-.02, .02) * D} {(k + 0.7) * 1.05 * D}\n")
     (folder / "in.settle").write_text(bed_script(STOCK, "read_data loose.data", """
 fix s all viscous 2e-7
-run 30000
+run 20000
 unfix s
-run 2000
+run 1000
 write_restart bed
 """))
     done = grainjet.run(["liggghts", "-in", "in.settle"], folder, timeout=3000)

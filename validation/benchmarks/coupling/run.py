@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""What the coupling costs: coupled run against fluid alone and grains alone.
+
+    overhead = (coupled - fluid - grains)/(fluid + grains)
+
+on the same machine in one go: a periodic box of 37 x 37 x 37 cells of 1 mm with air at 8 m/s and
+grains of 80 um at 6 m/s, `fix hertz/cg`, cellPoint, divided, drag + pressure gradient + viscous. Each
+figure is the difference between a long and a short run, so that start-up does not count; the runs of one
+repetition follow each other, and the median of the repetitions is given.
+
+    source environment; validation/benchmarks/coupling/run.py [--grains 20000 100000] [--ranks 1 2]
+        [--interval 50 10] [--repeat 3] [--output results.md]
+"""
+
+import argparse
+import pathlib
+import random
+import resource
+import shutil
+import statistics
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(ROOT / "validation/testing"), str(ROOT / "openfoam-libs/liggghtsCoupling/tests")]
+import coupled_box as box
+import grainjet
+
+SIDE, CELLS = 0.037, 37
+SHORT, LONG = 4, 24          # fluid steps
+DEM_STEP = 1e-6
+
+PLUGINS = "plugin load hertzcgplugin.so"
+
+
+def write_grains(folder, n):
+    """A data file of n grains at random places."""
+    rng = random.Random(1)
+    with open(folder / "constant/grains.data", "w") as out:
+        out.write(f"grains\n\n{n} atoms\n1 atom types\n\n"
+                  + "".join(f"0 {SIDE} {k}lo {k}hi\n" for k in "xyz") + "\nAtoms\n\n")
+        for i in range(1, n + 1):
+            x, y, z = (rng.uniform(0, SIDE) for _ in range(3))
+            out.write(f"{i} 1 8e-5 2950 {x} {y} {z}\n")
+        out.write("\nVelocities\n\n")
+        for i in range(1, n + 1):
+            u, v, w = (rng.gauss(m, 0.3) for m in (0, 0, 6))
+            out.write(f"{i} {u} {v} {w} 0 0 0\n")
+
+
+def write_case(folder, grains, interval, ranks, steps, coupled):
+    """The case; coupled or the fluid alone, and a script for the grains alone."""
+    dt = interval * DEM_STEP
+    box.write(folder, steps=steps, delta_t=dt, cells=" ".join([str(CELLS)] * 3),
+              velocity="(0 0 8)", ranks=ranks, decomposition=f"(1 1 {ranks})",
+              libs='("libliggghtsCoupling.so")' if coupled else "()")
+    mm = 1000 * SIDE
+    corners = [(x * mm, y * mm, z * mm) for z in (0, 1)
+               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    mesh = folder / "system/blockMeshDict"
+    text = mesh.read_text()
+    start, stop = text.index("vertices"), text.index("blocks")
+    mesh.write_text(text[:start] + "vertices (" + " ".join(
+        "({:g} {:g} {:g})".format(*c) for c in corners) + ");\n" + text[stop:])
+    solution = folder / "system/fvSolution"
+    solution.write_text(solution.read_text().replace(
+        "solver PCG; preconditioner DIC; tolerance 1e-13",
+        "solver GAMG; smoother GaussSeidel; tolerance 1e-8"))
+    # one script for both: alone it runs by itself
+    box.script(folder, grains="", dt=DEM_STEP, plugins=PLUGINS,
+               fixes="fix contacts all hertz/cg", processors=f"processors 1 1 {ranks}")
+    script = folder / "constant/in.particles"
+    lines = [line for line in script.read_text().splitlines()
+             if not line.startswith(("neigh", "atom_modify"))]
+    script.write_text("\n".join(lines) + "\n")
+    (folder / "constant/new.grains").write_text("read_data constant/grains.data\n")
+    write_grains(folder, grains)
+    if coupled:
+        box.fv_options(folder, couplingInterval=interval)
+    (folder / "in.alone").write_text("\n".join(lines) + f"\nrun {steps * interval}\n")
+
+
+def measure(command, folder):
+    """Wall and processor seconds of a command that must succeed."""
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.time()
+    result = grainjet.run(command, folder, timeout=3600)
+    wall, after = time.time() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    if result.code:
+        raise SystemExit(result.output[-3000:])
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return wall, cpu
+
+
+def seconds(kind, folders, ranks):
+    """(wall, cpu) per fluid step of one kind of run."""
+    mpi = grainjet.mpirun(ranks if ranks > 1 else 0)
+    if kind == "grains":
+        command = [*mpi, "liggghts-plugins", "-var", "continued", "0", "-in", "in.alone"]
+    else:
+        command = [*mpi, "pimpleFoam", *(["-parallel"] if ranks > 1 else [])]
+    ends = []
+    for folder in folders:
+        for old in [*folder.glob("processor*/[0-9]*"), *folder.glob("[0-9]*")]:
+            if old.name != "0":
+                shutil.rmtree(old)
+        ends.append(measure(command, folder))
+    return tuple((b - a) / (LONG - SHORT) for a, b in zip(*ends))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--grains", type=int, nargs="+", default=[20000, 100000])
+    parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--interval", type=int, nargs="+", default=[50, 10])
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--output")
+    options = parser.parse_args()
+
+    rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead wall % "
+            "| overhead processor % | coupling, us per grain and interval (processor) |",
+            "|---|---|---|---|---|---|---|---|---|"]
+    print("\n".join(rows), flush=True)
+    work = pathlib.Path(tempfile.mkdtemp(prefix="grainjet-benchmark-"))
+    for grains in options.grains:
+        for ranks in options.ranks:
+            for interval in options.interval:
+                cases = {}
+                for kind in ("fluid", "coupled"):
+                    cases[kind] = []
+                    for steps in (SHORT, LONG):
+                        folder = work / f"{grains}-{ranks}-{interval}-{kind}-{steps}"
+                        write_case(folder, grains, interval, ranks, steps, kind == "coupled")
+                        measure(["blockMesh"], folder)
+                        if ranks > 1:
+                            measure(["decomposePar"], folder)
+                        cases[kind].append(folder)
+                cases["grains"] = cases["fluid"]
+                taken = {kind: [] for kind in cases}
+                for _ in range(options.repeat):
+                    for kind in cases:
+                        taken[kind].append(seconds(kind, cases[kind], ranks))
+                overhead = []
+                for i in (0, 1):
+                    overhead.append(statistics.median(
+                        100 * (c[i] / (f[i] + g[i]) - 1)
+                        for c, f, g in zip(taken["coupled"], taken["fluid"], taken["grains"])))
+                per_grain = statistics.median(
+                    1e6 * (c[1] - f[1] - g[1]) / grains
+                    for c, f, g in zip(taken["coupled"], taken["fluid"], taken["grains"]))
+                wall = [statistics.median(w for w, _ in taken[kind])
+                        for kind in ("fluid", "grains", "coupled")]
+                rows.append("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {:.2f} |".format(
+                    grains, ranks, interval, *wall, *overhead, per_grain))
+                print(rows[-1], flush=True)
+    shutil.rmtree(work)
+    if options.output:
+        pathlib.Path(options.output).write_text("\n".join(rows) + "\n")
+
+
+if __name__ == "__main__":
+    main()
