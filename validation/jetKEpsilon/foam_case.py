@@ -126,8 +126,9 @@ def read_field(path):
     return array if len(array) == int(count) else array.reshape(int(count), -1)
 
 
-def structured(case, blocks, nx):
-    """{name: (nx, nr) array} of r, x, U, V, k, epsilon, nut; blocks: radial cells of each block from the axis."""
+def structured(case, blocks, nx, skip=0):
+    """{name: (nx, nr) array} of r, x, U, V, k, epsilon, nut; blocks: radial cells of each block from
+    the axis, nx cells along; skip: cells of blocks before them."""
     time = latest(case)
     # cell centroid of a wedge lies at r sin(a)/a from the axis
     factor = HALF_ANGLE/math.sin(HALF_ANGLE)
@@ -135,7 +136,7 @@ def structured(case, blocks, nx):
            "V": read_field(time/"U")[:, 1], "k": read_field(time/"k"), "epsilon": read_field(time/"epsilon")}
     result = {}
     for name, values in raw.items():
-        parts, start = [], 0
+        parts, start = [], skip
         for nr in blocks:
             parts.append(values[start:start + nx*nr].reshape(nr, nx).T)
             start += nx*nr

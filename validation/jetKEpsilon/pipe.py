@@ -104,8 +104,7 @@ def main():
         dns = read_dns(args.reference, name)
         re = dns["Re"] if dns else re
         re_tau = re/2/blasius(re)
-        for wanted in Y_PLUS:
-            n = max(4, round(re_tau/(2*wanted)))
+        for n in sorted({max(4, round(re_tau/(2*wanted))) for wanted in Y_PLUS}, reverse=True):
             for model in MODELS:
                 flow = solve(args.work, model, re, n)
                 expected = dns["bulk"] if dns else blasius(re)
@@ -115,7 +114,7 @@ def main():
                     u = numpy.interp(flow["y"], dns["y"], dns["U"]/dns["bulk"])
                     row[-2] = f"{dns['U'][-1]/dns['bulk']:.3f}"
                     row[-1] = f"{100*numpy.sqrt(numpy.average((flow['U']/UB - u)**2, weights=flow['r'])):.1f}"
-                    panels.append((round(re), wanted, model, flow, dns))
+                    panels.append((round(re), n, model, flow, dns))
                 rows.append(row)
                 print(*row, flush=True)
 
@@ -128,11 +127,12 @@ def main():
     if panels:
         numbers = sorted({re for re, *_ in panels})
         figure, axes = plt.subplots(1, len(numbers), figsize=(4.5*len(numbers), 3.8), constrained_layout=True, squeeze=False)
-        for re, wanted, model, flow, dns in panels:
+        for re, n, model, flow, dns in panels:
             panel = axes[0][numbers.index(re)]
-            if model == MODELS[0] and wanted == Y_PLUS[0]:
+            sizes = sorted({m for number, m, *_ in panels if number == re}, reverse=True)
+            if model == MODELS[0] and n == sizes[0]:
                 panel.plot(1 - dns["y"], dns["U"]/dns["bulk"], "k-", linewidth=1, label="DNS, Yao et al.")
-            panel.plot(1 - flow["y"], flow["U"]/UB, linestyle="none", markersize=4, marker="os^"[Y_PLUS.index(wanted)],
+            panel.plot(1 - flow["y"], flow["U"]/UB, linestyle="none", markersize=4, marker="os^"[sizes.index(n)],
                        color="C0" if model == MODELS[0] else "C3", markerfacecolor="none",
                        label=f"{model}, $y^+$ {flow['y_plus']:.0f}")
             panel.set(xlabel="$r/R$", ylabel="$U/U_b$", title=f"Re {re}", ylim=(0, None), xlim=(0, 1))

@@ -7,6 +7,7 @@
 #include "particleSamplingPlanes.H"
 #include "addToRunTimeSelectionTable.H"
 #include "ListOps.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -101,6 +102,21 @@ Foam::functionObjects::particleSamplingPlanes::meshLength() const
 }
 
 
+Foam::functionObjects::particleSamplingPlanes::gap
+Foam::functionObjects::particleSamplingPlanes::gapAt(const scalar x) const
+{
+    const scalar* const begin = positions_.begin();
+    const scalar* const end = positions_.end();
+    const scalar* const ahead = std::upper_bound(begin, end, x);
+
+    return
+    {
+        ahead == begin ? -VGREAT : ahead[-1],
+        ahead == end ? VGREAT : *ahead
+    };
+}
+
+
 void Foam::functionObjects::particleSamplingPlanes::book
 (
     const label parceli,
@@ -161,29 +177,36 @@ void Foam::functionObjects::particleSamplingPlanes::book
 void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
 {
     const List<point>& start = view_->start();
-    const List<point>& position = view_->now().position;
-    const scalar first = planes_.first().position();
-    const scalar last = planes_.last().position();
+    const particleState& now = view_->now();
     const scalar longest = 0.5*meshLength();
+    const scalar deltaT = time_.deltaTValue();
+    const bool watch = view_->wantsWatch();
+    DynamicList<label> toWatch;
 
-    forAll(position, i)
+    forAll(start, i)
     {
         const scalar before = frame_.axial(start[i]);
-        const scalar after = frame_.axial(position[i]);
+        const scalar after = frame_.axial(now.position[i]);
+        const gap here(gapAt(after));
 
         if (mag(after - before) > longest)
         {
             ++jumped_;
         }
-        else if
-        (
-            before != after
-         && !(before < first && after < first)
-         && !(before >= last && after >= last)
-        )
+        else if (!here.contains(before))
         {
             book(i, before, after);
         }
+
+        if (watch && !here.contains(after + deltaT*frame_.axialPart(now.U[i])))
+        {
+            toWatch.append(i);
+        }
+    }
+
+    if (watch)
+    {
+        view_->watch(toWatch);
     }
 }
 
@@ -202,6 +225,7 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     frame_(),
     grid_(1, 1, ringGrid::binning::equalWidth),
     planes_(),
+    positions_(),
     clock_(),
     view_(),
     events_(),
@@ -276,6 +300,7 @@ bool Foam::functionObjects::particleSamplingPlanes::read
 
     if (before.empty())
     {
+        positions_ = positions;
         planes_.setSize(positions.size());
         forAll(positions, i)
         {

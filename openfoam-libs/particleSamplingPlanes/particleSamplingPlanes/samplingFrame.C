@@ -12,6 +12,7 @@ Foam::samplingFrame::samplingFrame()
 :
     origin_(Zero),
     axis_(0, 0, 1),
+    axisPerDiameter_(0, 0, 1),
     diameter_(1)
 {}
 
@@ -20,6 +21,7 @@ Foam::samplingFrame::samplingFrame(const dictionary& dict)
 :
     origin_(dict.get<point>("origin")),
     axis_(dict.get<vector>("axis")),
+    axisPerDiameter_(Zero),
     diameter_(dict.get<scalar>("diameter"))
 {
     if (mag(axis_) < SMALL)
@@ -38,6 +40,7 @@ Foam::samplingFrame::samplingFrame(const dictionary& dict)
     }
 
     axis_ /= mag(axis_);
+    axisPerDiameter_ = axis_/diameter_;
 }
 
 

@@ -142,6 +142,9 @@ Foam::cloudParticleView::cloudParticleView
 :
     particleView(mesh, cloudName),
     tracker_(),
+    watch_(),
+    knowsStart_(false),
+    nPresent_(0),
     trackedTimeIndex_(-1)
 {}
 
@@ -167,18 +170,17 @@ bool Foam::cloudParticleView::refresh()
     const Time& time = mesh_.time();
     List<scalar> age;
 
-    if (readCloud(age))
+    knowsStart_ = readCloud(age);
+    nPresent_ = now_.size();
+    if (knowsStart_)
     {
-        // Only asked who is gone: they are put behind the others
-        const List<point> published(start_);
-        start_ = tracker_.startPoints
-        (
-            now_,
-            age,
-            time.deltaTValue(),
-            mesh_.bounds()
-        );
-        SubList<point>(start_, published.size()) = published;
+        particleState gone(watch_.gone(now_));
+        if (gone.size())
+        {
+            start_.append(gone.position);
+            gone.flyOn(time.deltaTValue(), mesh_.bounds());
+            now_.append(gone);
+        }
         return true;
     }
 
@@ -200,6 +202,20 @@ bool Foam::cloudParticleView::refresh()
         mesh_.bounds()
     );
     return true;
+}
+
+
+void Foam::cloudParticleView::watch(const UList<label>& parcels)
+{
+    DynamicList<label> present(parcels.size());
+    for (const label i : parcels)
+    {
+        if (i < nPresent_)
+        {
+            present.append(i);
+        }
+    }
+    watch_.watch(now_.subset(present));
 }
 
 

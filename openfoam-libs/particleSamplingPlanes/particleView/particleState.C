@@ -36,14 +36,28 @@ void Foam::particleState::append(const particleState& other)
 }
 
 
-void Foam::particleState::swap(particleState& other)
+void Foam::particleState::flyOn(const scalar deltaT, const boundBox& bounds)
 {
-    position.swap(other.position);
-    U.swap(other.U);
-    nParticle.swap(other.nParticle);
-    mass.swap(other.mass);
-    origProc.swap(other.origProc);
-    origId.swap(other.origId);
+    forAll(position, i)
+    {
+        const vector way(deltaT*U[i]);
+        scalar fraction = 1;
+
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            const scalar d = way[cmpt];
+            const scalar side =
+                d > 0 ? bounds.max()[cmpt] : bounds.min()[cmpt];
+            const scalar room = side - position[i][cmpt];
+
+            if (mag(d) > mag(room))
+            {
+                fraction = min(fraction, max(room/d, scalar(0)));
+            }
+        }
+
+        position[i] += fraction*way;
+    }
 }
 
 

@@ -27,31 +27,6 @@ static label meetingRank(const int64_t key)
     return label((mixed >> 33) % uint64_t(Pstream::nProcs()));
 }
 
-// The end of a straight way from a point, cut off where it leaves the box
-static point endWithin
-(
-    const boundBox& bounds,
-    const point& start,
-    const vector& displacement
-)
-{
-    scalar fraction = 1;
-
-    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
-    {
-        const scalar d = displacement[cmpt];
-        const scalar room =
-            (d > 0 ? bounds.max()[cmpt] : bounds.min()[cmpt]) - start[cmpt];
-
-        if (mag(d) > mag(room))
-        {
-            fraction = min(fraction, max(room/d, scalar(0)));
-        }
-    }
-
-    return start + fraction*displacement;
-}
-
 } // End namespace Foam
 
 
@@ -286,11 +261,7 @@ Foam::List<Foam::point> Foam::particleTracker::startPoints
     before_ = now;
 
     start.append(gone.position);
-    forAll(gone.position, j)
-    {
-        gone.position[j] =
-            endWithin(bounds, gone.position[j], deltaT*gone.U[j]);
-    }
+    gone.flyOn(deltaT, bounds);
     now.append(gone);
 
     return start;

@@ -105,6 +105,35 @@ class Massflow(grainjet.Case):
             tables[ranks] = numpy.loadtxt(folder/"postProcessing/profiles/0/plane_1.01D.dat")
         self.assertEqual(list(tables[0][:, 1]), list(tables[2][:, 1]))
 
+    def test_grains_lost_in_the_step_of_their_crossing(self):
+        # Grains leave the box 20 um behind the plane and are deleted by LIGGGHTS at once; at up
+        # to 2 m/s most cross and vanish in the same fluid step. All that are lost have crossed.
+        plane = 0.03998
+        rng = random.Random(3)
+        n = 200
+        positions = [[rng.uniform(0.005, 0.015), rng.uniform(0.005, 0.015), rng.uniform(0.03, 0.0395)]
+                     for _ in range(n)]
+        velocities = [[0, 0, rng.uniform(0.8, 2.0)] for _ in positions]
+        for ranks, cut in ((0, None), (2, "(2 1 1)")):
+            folder = self.folder/f"lost{ranks}"
+            box.write(folder, steps=60, delta_t=DT, walls=True, decomposition=cut or "(1 1 2)",
+                      functions=SAMPLING.replace("planes (", f"planes ({plane/DIAMETER!r} "))
+            box.script(folder, grains=box.grains(positions, velocities, diameter=GRAIN), dt=DEM_DT,
+                       boundary="f f f", fixes="neigh_modify delay 0 every 1 check no",
+                       end="thermo_modify lost ignore\ndump d all custom 600 end.dump id z")
+            box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay")
+            self.foam("blockMesh", folder)
+            if ranks:
+                self.foam("decomposePar", folder)
+            self.foam("pimpleFoam", folder, ranks=ranks)
+            left = box.read_dump(folder/"end.dump")
+            beyond = sum(row[0] > plane for row in left.values())
+            events = numpy.loadtxt(folder/"postProcessing/profiles/0/events.dat")
+            crossed = events[events[:, 1] > 3.9]
+            self.assertGreater(n - len(left), 50)
+            self.assertEqual(len(crossed), n - len(left) + beyond)
+            self.assertEqual(len(set(crossed[:, 4])), len(crossed), "each once")
+
 
 if __name__ == "__main__":
     unittest.main()
