@@ -43,10 +43,11 @@ std::string EventsFile::resume(double size)
   if (access(path_.c_str(), F_OK) != 0) return create();    // restarted in another folder
   file_ = fopen(path_.c_str(), "r+");
   if (!file_) return fault("continue events file");
-  fseek(file_, 0, SEEK_END);
-  if (ftell(file_) < size)
-    return "events file '" + path_ + "' is shorter than when the restart file was written; "
-      "is it of another run? Move it away or give another path";
+  // it must be the file that was written then: one that has a line's end at that place
+  fseek(file_, static_cast<long>(size) - 1, SEEK_SET);
+  if (fgetc(file_) != '\n')
+    return "events file '" + path_ + "' is not the one written before the restart; move it "
+      "away or give another path";
   if (ftruncate(fileno(file_), static_cast<off_t>(size)) != 0)
     return fault("shorten events file");
   fseek(file_, 0, SEEK_END);

@@ -12,15 +12,11 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_property_atom.h"
-#include "force.h"
-#include "math_const.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -41,21 +37,17 @@ static const int GATHER_EVERY = 1000;
 
 FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  every_(1000), start_(0.0), state_(NULL),
-  rebuild_(true), thorough_(true), elsewhere_(false), warned_(false), observed_(false),
-  clock_(-1.0), begin_(0.0), restartedEvents_(-1.0)
+  every_(1000), start_(0.0), state_(NULL), observed_(false),
+  warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0)
 {
   parse(narg, arg);
   const FixArguments arguments(error, narg, arg);
   if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
 
   wall_.reset(new WallForces(lmp, wallID_));
-  const std::string fault = wall_->attach();
-  if (!fault.empty()) arguments.fail(fault);
-
+  tracker_.reset(new CollisionTracker(lmp, *plate_, groupbit));
   statistics_.reset(new PlateStatistics(*plate_));
   begun_.assign(statistics_->regions(), 0.0);
-  begunAll_ = begun_;
 
   restart_global = 1;
   nevery = 1;
@@ -113,11 +105,13 @@ int FixPlateStats::setmask()
 
 void FixPlateStats::post_create()
 {
+  find_wall();
   const std::string name = std::string("plateStats_") + id;
   std::vector<const char *> args = {name.c_str(), "all", "property/atom", name.c_str(),
     "vector", "yes", "no", "no"};
   args.insert(args.end(), Collision::SIZE, "0.");
   state_ = modify->add_fix_property_atom(args.size(), const_cast<char **>(args.data()), style);
+  tracker_->keep_in(state_);
   state_->just_created = 0;    // its initial state is set; Modify::setup need not repeat it
 
   std::string fault;
@@ -159,160 +153,46 @@ void FixPlateStats::pre_delete(bool unfixflag)
 
 void FixPlateStats::init()
 {
-  const std::string fault = wall_->attach();    // it may have been replaced
-  if (!fault.empty()) {
-    const std::string text = std::string("Fix plate/stats (ID ") + id + "): " + fault;
-    error->all(FLERR, text.c_str());
-  }
-  rebuild_ = true;
+  find_wall();    // it may have been replaced since
 }
 
-/* ----------------------------------------------------------------------
-   Grains that are in contact already when the fix first looks: the beginning of their
-   collision is unknown, so it is followed but does not count.
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
+
+void FixPlateStats::find_wall()
+{
+  const std::string fault = wall_->attach();
+  if (fault.empty()) return;
+  const std::string text = std::string("Fix plate/stats (ID ") + id + "): " + fault;
+  error->all(FLERR, text.c_str());
+}
+
+/* ---------------------------------------------------------------------- */
 
 void FixPlateStats::setup(int)
 {
-  thorough_ = true;
   if (clock_ < 0.0) {
     clock_ = update->get_cur_time();
     begin_ = std::max(clock_, start_);
   }
-  if (observed_) return;
+  tracker_->count_from(begin_);
+  tracker_->start_run();
+  if (!observed_) tracker_->skip_present(wall_->forces());
   observed_ = true;
-  double **forces = wall_->forces();
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && touches(i, forces)) {
-      contact(i) = Collision();
-      contact(i).steps = 1.0;
-      contact(i).time = -1.0;
-    }
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixPlateStats::pre_neighbor()
 {
-  rebuild_ = true;
+  tracker_->reorder();
 }
 
 /* ---------------------------------------------------------------------- */
-
-Collision &FixPlateStats::contact(int i) const
-{
-  return *reinterpret_cast<Collision *>(state_->array_atom[i]);
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool FixPlateStats::touches(int i, double **forces) const
-{
-  const double *f = forces[i];
-  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0)
-    && std::fabs(plate_->height(atom->x[i])) < atom->radius[i];
-}
-
-/* ----------------------------------------------------------------------
-   The wall's own neighbour lists rest on the same margin: until the next rebuild no
-   grain moves by more than the skin. Only between runs can a grain be put elsewhere
-   while it touches; then all are looked at.
-------------------------------------------------------------------------- */
-
-void FixPlateStats::find_near()
-{
-  const bool look = !elsewhere_ && begunAll_[0] + begun_[0] == 0.0;
-  double **forces = wall_->forces();
-  near_.clear();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (std::fabs(plate_->height(atom->x[i])) < atom->radius[i] + neighbor->skin
-        || (thorough_ && contact(i).steps > 0.0))
-      near_.push_back(i);
-    else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
-      elsewhere_ = true;
-  }
-  rebuild_ = thorough_ = false;
-}
-
-/* ----------------------------------------------------------------------
-   all forces of the step are known and have not acted yet
-------------------------------------------------------------------------- */
 
 void FixPlateStats::pre_final_integrate()
 {
-  if (rebuild_) find_near();
   clock_ += update->dt;
-  double **forces = wall_->forces();
-  for (int i : near_) {
-    Collision &c = contact(i);
-    if (touches(i, forces)) {
-      if (c.steps == 0.0) begin(i, c);
-      double normal[3];
-      const double side = plate_->height(atom->x[i]) < 0.0 ? -1.0 : 1.0;
-      for (int dim = 0; dim < 3; dim++) normal[dim] = side * plate_->normal()[dim];
-      c.addStep(forces[i], normal, update->dt);
-    } else if (c.steps > 0.0) {
-      finish(i, c);
-    }
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixPlateStats::kinetic_energy(int i) const
-{
-  const double radius = atom->radius[i];
-  return 0.5 * atom->rmass[i] * (PlateGeometry::dot(atom->v[i], atom->v[i])
-    + 0.4 * radius * radius * PlateGeometry::dot(atom->omega[i], atom->omega[i]));
-}
-
-/* ----------------------------------------------------------------------
-   one more in the whole plate and in the collision's ring
-------------------------------------------------------------------------- */
-
-void FixPlateStats::count(const Collision &c, std::vector<double> &regions) const
-{
-  const double place[2] = {c.a, c.b};
-  const int ring = plate_->ring(place);
-  if (ring < 0 || !counts(c)) return;
-  regions[0] += 1.0;
-  regions[1 + ring] += 1.0;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixPlateStats::begin(int i, Collision &c)
-{
-  c = Collision();
-  c.time = clock_;
-  plate_->project(atom->x[i], &c.a);
-  const double *v = atom->v[i];
-  const double across = PlateGeometry::dot(v, plate_->normal());
-  const double square = PlateGeometry::dot(v, v);
-  c.speed = std::sqrt(square);
-  c.angle = std::atan2(std::sqrt(std::max(square - across * across, 0.0)), std::fabs(across))
-    * 180.0 / MathConst::MY_PI;
-  c.energy = kinetic_energy(i);
-  count(c, begun_);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixPlateStats::finish(int i, Collision &c)
-{
-  const double place[2] = {c.a, c.b};
-  if (counts(c) && plate_->ring(place) >= 0) {
-    const double cg = force->cg(atom->type[i]);
-    FinishedCollision collision;
-    collision.contact = c;
-    collision.id = atom->tag[i];
-    collision.particles = cg * cg * cg;
-    collision.speedAfter = std::sqrt(PlateGeometry::dot(atom->v[i], atom->v[i]));
-    collision.energyAfter = kinetic_energy(i);
-    finished_.push_back(collision);
-  }
-  c = Collision();
+  tracker_->step(wall_->forces(), clock_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -338,10 +218,10 @@ void FixPlateStats::post_run()
 void FixPlateStats::warn_if_beside()
 {
   if (warned_) return;
-  int mine = elsewhere_, any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  warned_ = any;
-  if (any && comm->me == 0 && begunAll_[0] == 0.0) {
+  int mine[2] = {tracker_->beside(), tracker_->seen()}, any[2];
+  MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, world);
+  warned_ = any[0] || any[1];
+  if (any[0] && !any[1] && comm->me == 0) {
     const std::string text = std::string("Fix plate/stats (ID ") + id + "): wall '" + wallID_
       + "' has touched grains, but none at the plate so far; check centre and normal";
     error->warning(FLERR, text.c_str());
@@ -355,7 +235,8 @@ void FixPlateStats::warn_if_beside()
 
 void FixPlateStats::gather()
 {
-  int mine = finished_.size() * FinishedCollision::SIZE, total = 0;
+  const std::vector<FinishedCollision> &finished = tracker_->finished();
+  int mine = finished.size() * FinishedCollision::SIZE, total = 0;
   std::vector<int> sizes(comm->nprocs), starts(comm->nprocs);
   MPI_Gather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
   for (int rank = 0; rank < comm->nprocs; rank++) {
@@ -363,17 +244,16 @@ void FixPlateStats::gather()
     total += sizes[rank];
   }
   std::vector<FinishedCollision> all(total / FinishedCollision::SIZE);
-  MPI_Gatherv(finished_.data(), mine, MPI_DOUBLE,
+  MPI_Gatherv(finished.data(), mine, MPI_DOUBLE,
     all.data(), sizes.data(), starts.data(), MPI_DOUBLE, 0, world);
-  finished_.clear();
 
   std::vector<double> begun(begun_.size());
-  MPI_Reduce(begun_.data(), begun.data(), begun.size(), MPI_DOUBLE, MPI_SUM, 0, world);
-  begun_.assign(begun_.size(), 0.0);
+  MPI_Reduce(tracker_->begun().data(), begun.data(), begun.size(), MPI_DOUBLE, MPI_SUM, 0, world);
+  tracker_->clear();
 
   std::string fault;
   if (comm->me == 0) {
-    for (std::size_t r = 0; r < begun.size(); r++) begunAll_[r] += begun[r];
+    for (std::size_t r = 0; r < begun.size(); r++) begun_[r] += begun[r];
     std::sort(all.begin(), all.end(),
       [](const FinishedCollision &p, const FinishedCollision &q) {
         return std::make_pair(p.contact.time, p.id) < std::make_pair(q.contact.time, q.id);
@@ -390,9 +270,8 @@ void FixPlateStats::gather()
 
 std::vector<double> FixPlateStats::touching() const
 {
-  std::vector<double> mine(begun_.size(), 0.0), all(begun_.size(), 0.0);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (contact(i).steps > 0.0) count(contact(i), mine);
+  const std::vector<double> mine = tracker_->touching();
+  std::vector<double> all(mine.size(), 0.0);
   MPI_Reduce(mine.data(), all.data(), all.size(), MPI_DOUBLE, MPI_SUM, 0, world);
   return all;
 }
@@ -408,7 +287,7 @@ void FixPlateStats::write()
   std::string fault;
   if (comm->me == 0) {
     const std::string text =
-      statistics_->csv(std::max(clock_ - begin_, 0.0), begunAll_, now);
+      statistics_->csv(std::max(clock_ - begin_, 0.0), begun_, now);
     const std::string fresh = path_ + ".new";
     FILE *file = fopen(fresh.c_str(), "w");
     bool good = file && fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -426,7 +305,7 @@ double FixPlateStats::compute_vector(int n)
   gather();
   const std::vector<double> now = touching();
   double values[3] = {statistics_->collisions(0), now[0],
-    begunAll_[0] - statistics_->collisions(0) - now[0]};
+    begun_[0] - statistics_->collisions(0) - now[0]};
   MPI_Bcast(values, 3, MPI_DOUBLE, 0, world);
   return values[n];
 }
@@ -441,7 +320,7 @@ void FixPlateStats::write_restart(FILE *fp)
   gather();
   if (comm->me != 0) return;
   std::vector<double> list = {0.0, start_, clock_, begin_, events_ ? events_->size() : -1.0};
-  list.insert(list.end(), begunAll_.begin(), begunAll_.end());
+  list.insert(list.end(), begun_.begin(), begun_.end());
   const std::vector<double> packed = statistics_->pack();
   list.insert(list.end(), packed.begin(), packed.end());
   list[0] = list.size();
@@ -471,5 +350,5 @@ void FixPlateStats::restart(char *buf)
   }
   begin_ = list[3];
   restartedEvents_ = list[4];
-  begunAll_.assign(list + head, list + head + begun_.size());
+  begun_.assign(list + head, list + head + begun_.size());
 }

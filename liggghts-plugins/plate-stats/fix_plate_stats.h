@@ -15,7 +15,7 @@ FixStyle(plate/stats,FixPlateStats)
 
 #include "fix.h"
 
-#include "collision.h"
+#include "collision_tracker.h"
 #include "events_file.h"
 #include "plate_geometry.h"
 #include "plate_statistics.h"
@@ -74,33 +74,22 @@ class FixPlateStats : public Fix {
 
   // ---- on every rank
 
-  std::vector<int> near_;           // grains that can reach the plate until the next rebuild
-  bool rebuild_, thorough_;         // near_ is out of date; grains may have been moved by hand
-  bool elsewhere_;                  // the wall has touched grains away from the plate
-  bool warned_;                     // that has been said
-  bool observed_;                   // grains in contact from before have been marked
-  double clock_;                    // s, time of the simulation, also across restarts, where
-                                    // LIGGGHTS' own starts anew; < 0: not yet set
-  double begin_;                    // s, time from which collisions count
-  std::vector<grainjet::FinishedCollision> finished_;    // since the last gather()
-  std::vector<double> begun_;       // per region, since the last gather()
+  std::unique_ptr<CollisionTracker> tracker_;
+  bool observed_;           // grains in contact from before have been marked
+  bool warned_;             // whether the plate lies on the wall is settled
+  double clock_;            // s, time of the simulation, also across restarts, where LIGGGHTS'
+                            // own starts anew; < 0: not yet set
+  double begin_;            // s, time from which collisions count
 
   // ---- on rank 0
 
   std::unique_ptr<grainjet::PlateStatistics> statistics_;
   std::unique_ptr<grainjet::EventsFile> events_;
-  std::vector<double> begunAll_;    // per region, since the statistics began
+  std::vector<double> begun_;       // per region, since the statistics began
   double restartedEvents_;          // bytes of the events file to keep; < 0: new file
 
   void parse(int, char **);
-  grainjet::Collision &contact(int) const;
-  bool touches(int, double **forces) const;
-  bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= begin_; }
-  double kinetic_energy(int) const;
-  void count(const grainjet::Collision &, std::vector<double> &) const;
-  void find_near();
-  void begin(int, grainjet::Collision &);
-  void finish(int, grainjet::Collision &);
+  void find_wall();
   void gather();
   std::vector<double> touching() const;
   void write();

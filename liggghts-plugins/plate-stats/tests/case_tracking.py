@@ -104,16 +104,18 @@ class Tracking(PlateCase):
             self.assertEqual((self.folder / "events.csv").read_text(), through[1])
 
     def test_restart_with_changes(self):
-        """Other rings: refused. Another stats_start: statistics begin anew. A shorter events
-        file: refused rather than filled with a hole."""
+        """Other rings: refused. Another stats_start: statistics begin anew. Another or a shorter
+        events file: refused and left alone."""
         self.data([(0.0005, 0, D, 0, 0, -2.0), (0.0015, 0, 3 * D, 0, 0, -2.0)])
         self.liggghts(self.script(f"{PLATE}\nrun 1000\nwrite_restart r.restart"))
         read = "read_restart r.restart"
         result = self.liggghts(self.script(PLATE.replace("rings 5", "rings 4"), read=read), check=False)
         self.assertFails(result, "plate/stats", "another number of rings")
-        (self.folder / "events.csv").write_text("time\n")
-        result = self.liggghts(self.script(PLATE, read=read), check=False)
-        self.assertFails(result, "events.csv", "shorter")
+        for other in ("time\n", 1000 * "x" + "\n"):
+            (self.folder / "events.csv").write_text(other)
+            result = self.liggghts(self.script(PLATE, read=read), check=False)
+            self.assertFails(result, "events.csv", "not the one")
+            self.assertEqual((self.folder / "events.csv").read_text(), other)
         self.liggghts(self.script(f"{PLATE} stats_start 0.0001\nrun 2000".replace("events.csv", "e2.csv"),
                                   read=read))
         row = self.table()["all"]
@@ -228,6 +230,13 @@ class Tracking(PlateCase):
         result = self.liggghts(self.script(f"{PLATE.replace('plate.csv', 'no/plate.csv')}\nrun 1"), 2,
                                check=False)
         self.assertFails(result, "cannot write")
+
+    def test_defined_again(self):
+        """The same ID once more replaces the fix, unfix removes it: statistics begin anew."""
+        self.data([(0.0005, 0, D, 0, 0, -2.0), (0.0015, 0, 3 * D, 0, 0, -2.0)])
+        self.liggghts(self.script(f"{PLATE}\nrun 800\n{PLATE}\nunfix p\n{PLATE}\nrun 2000"))
+        self.assertEqual(self.table()["all"]["collisions"], 1)
+        self.assertEqual([e["id"] for e in self.events()], [2])
 
     def test_plate_beside_the_wall_is_noticed(self):
         """Contacts of the wall, none on the plate: a warning, once."""

@@ -1,0 +1,175 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "collision_tracker.h"
+
+#include "atom.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "math_const.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using grainjet::Collision;
+using grainjet::FinishedCollision;
+using grainjet::PlateGeometry;
+
+/* ---------------------------------------------------------------------- */
+
+CollisionTracker::CollisionTracker(LAMMPS *lmp, const PlateGeometry &plate, int groupbit) :
+  Pointers(lmp), plate_(plate), groupbit_(groupbit), state_(NULL), start_(0.0),
+  rebuild_(true), thorough_(true), begun_(1 + plate.rings(), 0.0),
+  seen_(false), elsewhere_(false)
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+Collision &CollisionTracker::contact(int i) const
+{
+  return *reinterpret_cast<Collision *>(state_->array_atom[i]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool CollisionTracker::touches(int i, double **forces) const
+{
+  const double *f = forces[i];
+  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0)
+    && std::fabs(plate_.height(atom->x[i])) < atom->radius[i];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::skip_present(double **forces)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & groupbit_) && touches(i, forces)) {
+      contact(i) = Collision();
+      contact(i).steps = 1.0;
+      contact(i).time = -1.0;
+    }
+}
+
+/* ----------------------------------------------------------------------
+   The wall's own neighbour lists rest on the same margin: until the next rebuild no
+   grain moves by more than the skin. Only between runs can a grain be put elsewhere
+   while it touches; then all are looked at.
+------------------------------------------------------------------------- */
+
+void CollisionTracker::find_near(double **forces)
+{
+  const bool look = !elsewhere_ && !seen_;
+  near_.clear();
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit_)) continue;
+    if (std::fabs(plate_.height(atom->x[i])) < atom->radius[i] + neighbor->skin
+        || (thorough_ && contact(i).steps > 0.0))
+      near_.push_back(i);
+    else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
+      elsewhere_ = true;
+  }
+  rebuild_ = thorough_ = false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::step(double **forces, double time)
+{
+  if (rebuild_) find_near(forces);
+  for (int i : near_) {
+    Collision &c = contact(i);
+    if (touches(i, forces)) {
+      seen_ = true;
+      if (c.steps == 0.0) begin(i, c, time);
+      double normal[3];
+      const double side = plate_.height(atom->x[i]) < 0.0 ? -1.0 : 1.0;
+      for (int dim = 0; dim < 3; dim++) normal[dim] = side * plate_.normal()[dim];
+      c.addStep(forces[i], normal, update->dt);
+    } else if (c.steps > 0.0) {
+      finish(i, c);
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double CollisionTracker::kinetic_energy(int i) const
+{
+  const double radius = atom->radius[i];
+  return 0.5 * atom->rmass[i] * (PlateGeometry::dot(atom->v[i], atom->v[i])
+    + 0.4 * radius * radius * PlateGeometry::dot(atom->omega[i], atom->omega[i]));
+}
+
+/* ----------------------------------------------------------------------
+   one more in the whole plate and in the collision's ring
+------------------------------------------------------------------------- */
+
+void CollisionTracker::count(const Collision &c, std::vector<double> &regions) const
+{
+  const double place[2] = {c.a, c.b};
+  const int ring = plate_.ring(place);
+  if (ring < 0 || !counts(c)) return;
+  regions[0] += 1.0;
+  regions[1 + ring] += 1.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::begin(int i, Collision &c, double time)
+{
+  c = Collision();
+  c.time = time;
+  plate_.project(atom->x[i], &c.a);
+  const double *v = atom->v[i];
+  const double across = PlateGeometry::dot(v, plate_.normal());
+  const double square = PlateGeometry::dot(v, v);
+  c.speed = std::sqrt(square);
+  c.angle = std::atan2(std::sqrt(std::max(square - across * across, 0.0)), std::fabs(across))
+    * 180.0 / MathConst::MY_PI;
+  c.energy = kinetic_energy(i);
+  count(c, begun_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::finish(int i, Collision &c)
+{
+  const double place[2] = {c.a, c.b};
+  if (counts(c) && plate_.ring(place) >= 0) {
+    const double cg = force->cg(atom->type[i]);
+    FinishedCollision collision;
+    collision.contact = c;
+    collision.id = atom->tag[i];
+    collision.particles = cg * cg * cg;
+    collision.speedAfter = std::sqrt(PlateGeometry::dot(atom->v[i], atom->v[i]));
+    collision.energyAfter = kinetic_energy(i);
+    finished_.push_back(collision);
+  }
+  c = Collision();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::clear()
+{
+  finished_.clear();
+  begun_.assign(begun_.size(), 0.0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> CollisionTracker::touching() const
+{
+  std::vector<double> regions(begun_.size(), 0.0);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (contact(i).steps > 0.0) count(contact(i), regions);
+  return regions;
+}
