@@ -110,6 +110,7 @@ class FixHertzCg : public Fix {
 
   // bookkeeping, this rank's share since the start
   double collisions_, deep_, deepest_;
+  double deep_reported_;   // number of deep contacts last reported
   double work_;            // J, done by contacts on grains
   double found_;           // J, in the springs of contacts that were there before the first step
   bigint reduced_step_;

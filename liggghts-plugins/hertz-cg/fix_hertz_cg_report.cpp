@@ -106,7 +106,10 @@ void FixHertzCg::end_of_step()
   }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   A coupled run ends after every fluid step: deep contacts are reported when there are the
+   first of them, and again when there are ten times as many
+------------------------------------------------------------------------- */
 
 void FixHertzCg::post_run()
 {
@@ -114,7 +117,9 @@ void FixHertzCg::post_run()
   double deep = deep_, deepest = deepest_;
   MPI_Allreduce(MPI_IN_PLACE, &deep, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (deep == 0.0 || comm->me) return;
+  if (deep == 0.0 || deep < 10.0 * deep_reported_) return;
+  deep_reported_ = deep;
+  if (comm->me) return;
   std::ostringstream message;
   message << "Fix hertz/cg: " << deep << " contacts since the start were deeper than " << overlap_fraction_
           << " of the smaller radius, the deepest " << deepest << "; grains are too soft for their speed";

@@ -93,5 +93,25 @@ class EqualsStock(Case):
                 self.assertLess(control, 1e-6, "the case is too wild to show anything")
 
 
+    def test_fast_stream_through_periodic_boundaries_and_ranks(self):
+        """Grains go round and change rank often while they collide; the plugin searches by motion relative to the
+        stream. Control and factor as above."""
+        box, diameter = 0.0165, 1e-3
+        grains = g.assembly(800, box, (diameter, 1.2 * diameter), speed=0.5, spin=300, clearance=0.02,
+                            stream=(6.0, -4.0, 2.0))
+        stock = dict(steps=6000, every=1500, dt=1e-6, before="neigh_modify contact_distance_factor 1.05\n")
+        (self.folder / "data").write_text(g.last_digit(grains))
+        other = self.run_case(g.STOCK, **stock)
+        (self.folder / "data").write_text(grains)
+        plugins = {n: self.run_case(g.PLUGIN, ranks=n, **dict(stock, before="")) for n in (0, 2, 4)}
+        stock = self.run_case(g.STOCK, **stock)
+        for step in stock:
+            control = g.distance(stock[step], other[step], box) / diameter
+            for n, plugin in plugins.items():
+                x = g.distance(stock[step], plugin[step], box) / diameter
+                print(f"step {step}, {n or 1} rank(s): plugin to stock {x:.1e}, stock to stock {control:.1e}")
+                self.assertLessEqual(x, 100 * control)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -89,7 +89,8 @@ def last_digit(data):
     return before + "\nAtoms\n\n" + "".join(moved) + "\nVelocities\n" + after
 
 
-def assembly(n, box, diameters, speed, spin, seed=3, clearance=0.0, types=(1, 2)):
+def assembly(n, box, diameters, speed, spin, seed=3, clearance=0.0, types=(1, 2),
+             stream=(0.0, 0.0, 0.0)):
     """A data file of n grains at random places; clearance > 0: none touches another, by that
     fraction of the diameter."""
     rng = random.Random(seed)
@@ -109,6 +110,6 @@ def assembly(n, box, diameters, speed, spin, seed=3, clearance=0.0, types=(1, 2)
         text += f"{i} {rng.choice(types)} {d} 2500 {x[0]!r} {x[1]!r} {x[2]!r}\n"
     text += "\nVelocities\n\n"
     for i in range(1, n + 1):
-        row = [rng.gauss(0, speed) for _ in range(3)] + [rng.gauss(0, spin) for _ in range(3)]
+        row = [rng.gauss(mean, speed) for mean in stream] + [rng.gauss(0, spin) for _ in range(3)]
         text += f"{i} " + " ".join(map(repr, row)) + "\n"
     return text
