@@ -26,14 +26,15 @@ def swarm(n, seed, low=(0, 0, 0), high=(0.02, 0.02, 0.04), mean=(0, 0, 1), rms=0
 class Coupling(grainjet.Case):
 
     def run_box(self, ranks=0, steps=20, grains=None, solver="pimpleFoam", options=None,
-                boundary="p p p", processors="", diameter=2e-4, ranks_in_case=2, **fluid):
+                boundary="p p p", processors="", diameter=2e-4, ranks_in_case=2,
+                box_of_grains="0 0.02 0 0.02 0 0.04", **fluid):
         """Run the box in a folder of its own; returns the folder with reconstructed fields."""
         folder = self.folder / f"{len(list(self.folder.iterdir()))}"
         box.write(folder, steps=steps, ranks=ranks_in_case, **fluid)
         if options is not False:
             x, v = grains or swarm(300, 7)
             box.script(folder, grains=box.grains(x, v, diameter), boundary=boundary,
-                       processors=processors, end=DUMP.format(every=10 * steps))
+                       box=box_of_grains, processors=processors, end=DUMP.format(every=10 * steps))
             box.fv_options(folder, **(options or {}))
         self.foam("blockMesh", folder)
         if ranks:

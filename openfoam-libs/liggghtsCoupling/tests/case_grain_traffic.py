@@ -1,0 +1,97 @@
+"""Grains at the edges: of cells, ranks, mesh and box. Nothing is lost without a word."""
+# processors: 2
+
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import case_coupling
+import coupled_box as box
+import grainjet
+
+
+class Traffic(grainjet.Case):
+
+    run_box = case_coupling.Coupling.run_box
+    compare = case_coupling.Coupling.compare
+
+    def test_solid_volume(self):
+        """The solid volume in all cells is that of all grains to round-off (1e-12), also of
+        grains that stick out of the mesh or lie on faces, edges and points of cells and at the
+        border between ranks."""
+        rng = random.Random(2)
+        d = 1.5e-3
+        x = [[rng.uniform(1e-5, side - 1e-5) for side in (0.02, 0.02, 0.04)] for _ in range(100)]
+        x += [(0.01, 0.01, 0.02), (0.004, 0.0045, 0.02), (1e-9, 1e-9, 1e-9), (0.0031, 0.01, 0.02)]
+        expected = len(x) * math.pi / 6 * d ** 3
+        for model in ("divided", "centre"):
+            for ranks in (0, 2):
+                with self.subTest(model=model, ranks=ranks):
+                    folder = self.run_box(
+                        ranks, steps=1, grains=(x, [(0, 0, 0)] * len(x)), diameter=d, walls=True,
+                        boundary="f f f",
+                        options={"voidFraction": f"{{ model {model}; minimum 1e-3; }}"})
+                    eps = box.read_internal(folder / "0.0001/voidFraction")
+                    cut = box.read_balance(folder)["volumeCut"][0]
+                    seen = sum(1 - e for e in eps) * 8e-9 + cut
+                    self.assertAlmostEqual(seen, expected, delta=1e-12 * expected)
+
+    def test_across_ranks(self):
+        """Fast grains that cross the border between the ranks of both sides, back and forth:
+        as in serial to round-off (1e-11), no momentum lost."""
+        rng = random.Random(6)
+        x = [(rng.uniform(0.005, 0.015), rng.uniform(0.005, 0.015), rng.uniform(0.015, 0.025))
+             for _ in range(60)]
+        v = [(0, 0, rng.choice((-20, 20)) * rng.uniform(0.5, 1)) for _ in range(60)]
+        options = {"interpolation": "cell"}
+        serial = self.run_box(0, grains=(x, v), options=options)
+        parallel = self.run_box(2, grains=(x, v), options=options)
+        self.compare(serial, parallel, "0.002", 1e-11)
+        balance = box.read_balance(parallel)
+        after = box.read_dump(parallel / "grains.dump")
+        crossed = sum((x[tag - 1][2] < 0.02) != (row[2] < 0.02) for tag, row in after.items())
+        self.assertGreater(crossed, 10)
+        self.assertLess(max(balance["imbalance"]), 1e-10)
+
+    def test_out_of_the_mesh_and_back_in(self):
+        """The box of LIGGGHTS is longer than the mesh. A grain that enters is found, one that leaves
+        is counted outside, one that leaves the box is counted as left: each step adds up."""
+        x = [(0.01, 0.01, 0.02), (0.011, 0.012, -0.003), (0.007, 0.008, 0.039)]
+        v = [(0, 0, 0), (0, 0, 4), (0, 0, 12)]
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks):
+                folder = self.run_box(ranks, steps=30, grains=(x, v), walls=True,
+                                      boundary="f f f",
+                                      box_of_grains="0 0.02 0 0.02 -0.01 0.06")
+                balance = box.read_balance(folder)
+                # 3 mm at 4 m/s: in after 7.5 steps. 1 mm at 12 m/s: out after 0.8 steps,
+                # 21 mm: out of the box after 17.5
+                outside = balance["outside"]
+                self.assertEqual(outside[0], 1)
+                self.assertEqual(outside[1], 2)
+                self.assertEqual(outside[9], 1)
+                self.assertEqual(outside[-1], 0)
+                self.assertEqual(balance["inserted"], [3] * 30)
+                self.assertEqual(balance["left"][0], 0)
+                self.assertEqual(balance["left"][-1], 1)
+                for present, left in zip(balance["present"], balance["left"]):
+                    self.assertEqual(present + left, 3)
+
+    def test_fast_change_of_void_fraction(self):
+        """A grain of two thirds of a cell's width flies through cells at 20 m/s, one cell a step: the
+        drag coefficient it sees changes smoothly with the void fraction (by less than the 40 % that
+        (1 - 0.15)^-2.65 can make), no jump, and momentum is kept."""
+        folder = self.run_box(0, steps=12, grains=([(0.0101, 0.0097, 0.004)], [(0, 0, 20)]),
+                              diameter=1.3e-3, options={"drag": "Gidaspow"})
+        balance = box.read_balance(folder)
+        given = [abs(z) for z in balance["toGrains_z"]]
+        for a, b in zip(given, given[1:]):
+            self.assertLess(abs(b / a - 1), 0.4)
+        self.assertLess(max(balance["imbalance"]), 1e-10)
+
+
+if __name__ == "__main__":
+    unittest.main()
