@@ -40,7 +40,7 @@ class Settling(grainjet.Case):
         box.write(folder, walls=False, steps=steps, delta_t=2e-4, cells="4 4 8")
         box.script(folder, dt=2e-5,
                    plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {f_cg} model_check warn" if f_cg > 1 else "", gravity="fix g all gravity 9.81 vector 0 0 -1",
-                   grains=box.grains([(0.012, 0.013, 0.035)], [(0, 0, 0)], f_cg * D, RHO_P),
+                   grains=box.grains([(0.012, 0.013, 0.035)], [(0, 0, 0)], D, RHO_P),
                    end=f'dump d all custom {10 * steps} grains.dump id vz\n'
                        'dump_modify d format "%d %.16g"')
         box.fv_options(folder, coupling="oneWay", forces="(pressureGradient viscous buoyancy)")
@@ -59,7 +59,7 @@ class Settling(grainjet.Case):
 
     def test_coarse_grain(self):
         """A grain of f_cg = 4 falls like its particles: drag from the original diameter, volume and
-        mass of the grain. The factor enters once, to 1e-3 (Wen-Yu's void fraction differs
+        mass of the grain. LIGGGHTS' `set diameter` is told the particle's. The factor enters once, to 1e-3 (Wen-Yu's void fraction differs
         a little, since the grain fills more of its cell)."""
         particle, grain = self.fall(300), self.fall(300, 4)
         print(f"\nparticle {particle:.6f} m/s, grain {grain:.6f} m/s")
