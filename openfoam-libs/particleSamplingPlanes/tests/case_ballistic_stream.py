@@ -92,6 +92,35 @@ class Sampling(grainjet.Case):
             events = numpy.loadtxt(folder/"postProcessing/profiles/0/events.dat")
             self.assertEqual(len(events), total)
             self.assertTrue((numpy.diff(events[:, 0]) >= 0).all(), "in order of time")
+        self.check_errors(serial, numpy.loadtxt(serial/"postProcessing/profiles/0/events.dat"))
+
+    def check_errors(self, folder, events):
+        """Standard errors from the events: 230 steps make batches of 8 steps, the last of 6."""
+        steps = round(END/stream.DT)
+        batch = (numpy.ceil(events[:, 0]/stream.DT - 1e-6).astype(int) - 1)//8
+        durations = numpy.full(math.ceil(steps/8), 8*stream.DT)
+        durations[-1] = (steps - 8*(len(durations) - 1))*stream.DT
+        radius = numpy.hypot(events[:, 5], events[:, 6])
+        ring = (radius/stream.DIAMETER/stream.MAX_RADIUS*stream.RINGS).astype(int)
+
+        def error(x, y):
+            return math.sqrt(len(x)/(len(x) - 1)*((x - x.sum()/y.sum()*y)**2).sum())/abs(y.sum())
+
+        for plane in stream.PLANES:
+            got = table(folder, plane)
+            for k in range(stream.RINGS):
+                mine = (events[:, 1] == plane) & (ring == k)
+
+                def per_batch(values):
+                    return numpy.bincount(batch[mine], values, minlength=len(durations))
+
+                weight = events[mine, 11]
+                area = math.pi*(0.1*stream.MAX_RADIUS/stream.RINGS)**2*((k + 1)**2 - k**2)
+                mean = error(per_batch(weight*events[mine, 8]), per_batch(weight))
+                rate = error(per_batch(weight*events[mine, 2]), durations)/area
+                # zero, up to round-off, in a ring with parcels of one speed only
+                self.assertAlmostEqual(got["stderr_flux_weighted_mean_axial"][k], mean, delta=1e-6*mean + 1e-12)
+                self.assertAlmostEqual(got["stderr_number_flux"][k]/rate, 1, delta=1e-6)
 
     def test_restart_continues(self):
         once, twice = self.folder/"once", self.folder/"twice"
@@ -105,6 +134,21 @@ class Sampling(grainjet.Case):
             self.assertEqual(list(a["crossings"]), list(b["crossings"]))
             for name in a:                      # the state is kept with 16 digits
                 numpy.testing.assert_allclose(a[name], b[name], rtol=1e-8, atol=1e-10, err_msg=name)
+
+    def test_restart_on_other_numbers_of_ranks(self):
+        # serial to 0.8 s, 2 ranks to 1.4 s, serial to the end
+        once, changed = self.folder/"once", self.folder/"changed"
+        self.sample(once)
+        self.sample(changed, end=0.8)
+        grainjet.run(["decomposePar", "-latestTime"], changed)
+        stream.control(changed, 1.4, start="latestTime")
+        self.foam("icoUncoupledKinematicParcelFoam", changed, ranks=2)
+        grainjet.run(["reconstructPar", "-latestTime"], changed)
+        stream.control(changed, END, start="latestTime")
+        self.foam("icoUncoupledKinematicParcelFoam", changed)
+        for plane in stream.PLANES:
+            a, b = table(once, plane), table(changed, plane, "1.4")
+            self.assertEqual(list(a["crossings"]), list(b["crossings"]))
 
     def test_time_window(self):
         # 0.75 < t <= 0.95; the step that ends at 0.75 only fixes the places. Where all have
