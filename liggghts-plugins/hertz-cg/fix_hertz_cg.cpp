@@ -20,10 +20,13 @@
 #include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <sstream>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -143,7 +146,7 @@ void FixHertzCg::init()
   check_sizes();
 
   walls_ = grainjet::find_walls(lmp);
-  search_.choose(2.0 * rmax_, solids_volume(), walls_);
+  search_.choose(2.0 * rmax_, packing(), walls_);
 
   if (comm->me == 0)
     for (FILE *out : {screen, logfile})
@@ -216,15 +219,25 @@ void FixHertzCg::check_sizes()
   error->fix_error(FLERR, this, message.str().c_str());
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   volume fraction of grains where there are grains: in cubes of eight diameters that hold some.
+   A bed in a tall box is as dense as in a small one.
+------------------------------------------------------------------------- */
 
-double FixHertzCg::solids_volume() const
+double FixHertzCg::packing() const
 {
-  double mine = 0.0, all = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i)
-    mine += 4.0 / 3.0 * 3.14159265358979323846 * std::pow(atom->radius[i], 3);
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  const double cube = 16.0 * rmax_;
+  double sum[2] = {0.0, 0.0};
+  std::vector<std::array<std::int64_t, 3>> cubes(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    sum[0] += 4.0 / 3.0 * 3.14159265358979323846 * std::pow(atom->radius[i], 3);
+    for (int d = 0; d < 3; ++d)
+      cubes[i][d] = static_cast<std::int64_t>(std::floor((atom->x[i][d] - domain->boxlo[d]) / cube));
+  }
+  std::sort(cubes.begin(), cubes.end());
+  sum[1] = (std::unique(cubes.begin(), cubes.end()) - cubes.begin()) * cube * cube * cube;
+  MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, world);
+  return sum[1] > 0.0 ? sum[0] / sum[1] : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

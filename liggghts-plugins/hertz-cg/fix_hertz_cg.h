@@ -121,7 +121,7 @@ class FixHertzCg : public Fix {
   void parse(int, char **);
   void check_host();
   void check_sizes();
-  double solids_volume() const;
+  double packing() const;
 
   void search();
   void choose_margin(const double velocity[3]);

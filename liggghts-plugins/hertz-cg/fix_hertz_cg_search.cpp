@@ -182,9 +182,8 @@ void FixHertzCg::choose_margin(const double velocity[3])
   choice.with = margin_;
   choice.displacement = std::sqrt(fastest) * update->dt;
   if (pairs_per_grain_ < 0.0) {
-    // no list yet: spread evenly over the box
-    const double *prd = domain->prd;
-    choice.pairs = 4.0 * solids_volume() / (prd[0] * prd[1] * prd[2]);
+    // no list yet: as many as in a random arrangement
+    choice.pairs = 4.0 * packing();
     choice.with = 0.0;
   }
   margin_ = choice.best();

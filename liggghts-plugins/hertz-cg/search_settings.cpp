@@ -45,7 +45,7 @@ int never(int every)
 
 /* ---------------------------------------------------------------------- */
 
-void SearchSettings::choose(double diameter, double solids, const WallAxes &walls)
+void SearchSettings::choose(double diameter, double packing, const WallAxes &walls)
 {
   Neighbor *neighbor = lmp_->neighbor;
   if (!taken_ || neighbor->skin != skin_) userSkin_ = neighbor->skin;
@@ -56,11 +56,7 @@ void SearchSettings::choose(double diameter, double solids, const WallAxes &wall
   // diameters where nothing is there yet to judge by.
   diameter_ = diameter;
   double width = 2.0;
-  if (solids > 0.0) {
-    const double *prd = lmp_->domain->prd;
-    const double fraction = solids / (prd[0] * prd[1] * prd[2]);
-    width = std::min(std::max(std::cbrt(1.0 + 0.25 / fraction) - 1.0, 0.2), 3.0);
-  }
+  if (packing > 0.0) width = std::min(std::max(std::cbrt(1.0 + 0.25 / packing) - 1.0, 0.2), 3.0);
   reach_ = kept_ > 0.0 ? kept_ : width * diameter;
   kept_ = 0.0;
   if (reach_ <= 0.0) reach_ = userSkin_;

@@ -30,8 +30,8 @@ class SearchSettings {
   explicit SearchSettings(LAMMPS_NS::LAMMPS *lmp) : lmp_(lmp) {}
 
   /* Choose all of it for a run. Call before the host initialises its neighbour search.
-     diameter: of the largest grain [m]; solids: volume of all grains [m3].                 */
-  void choose(double diameter, double solids, const WallAxes &walls);
+     diameter: of the largest grain [m]; packing: volume fraction where grains are, 0 for none yet. */
+  void choose(double diameter, double packing, const WallAxes &walls);
 
   // Have the next choose() take this reach [m]: that of the run that is continued
   void keep(double reach) { kept_ = reach; }
