@@ -184,7 +184,8 @@ void FixHertzCg::restart(char *buf)
   work_ = first ? list[WORK] : 0.0;
   found_ = first ? list[FOUND] : 0.0;
   forces_restarted_ = list[IN_RUN] != 0.0;
-  search_.keep(list[REACH]);
+  // a run that starts anew chooses its reach anew, here as there
+  if (forces_restarted_) search_.keep(list[REACH]);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
 }
