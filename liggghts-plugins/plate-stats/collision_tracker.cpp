@@ -39,11 +39,17 @@ Collision &CollisionTracker::contact(int i) const
 
 /* ---------------------------------------------------------------------- */
 
+bool CollisionTracker::reaches(int i) const
+{
+  return std::fabs(plate_.height(atom->x[i])) < atom->radius[i];
+}
+
+/* ---------------------------------------------------------------------- */
+
 bool CollisionTracker::touches(int i, double **forces) const
 {
   const double *f = forces[i];
-  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0)
-    && std::fabs(plate_.height(atom->x[i])) < atom->radius[i];
+  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0) && reaches(i);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -72,7 +78,7 @@ void CollisionTracker::find_near(double **forces)
     if (!(atom->mask[i] & groupbit_)) continue;
     if (std::fabs(plate_.height(atom->x[i])) < atom->radius[i] + neighbor->skin
         || (thorough_ && contact(i).steps > 0.0))
-      near_.push_back(i);
+      near_.push_back({i, contact(i).steps > 0.0});
     else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
       elsewhere_ = true;
   }
@@ -84,16 +90,22 @@ void CollisionTracker::find_near(double **forces)
 void CollisionTracker::step(double **forces, double time)
 {
   if (rebuild_) find_near(forces);
-  for (int i : near_) {
+  for (Near &near : near_) {
+    const int i = near.index;
+    const double *force = forces[0] + 3 * i;    // one block, as all arrays of LIGGGHTS
+    const bool pushed = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
+    if (!pushed && !near.inContact) continue;
+
     Collision &c = contact(i);
-    if (touches(i, forces)) {
-      seen_ = true;
+    if (pushed && reaches(i)) {
+      seen_ = near.inContact = true;
       if (c.steps == 0.0) begin(i, c, time);
       double normal[3];
       const double side = plate_.height(atom->x[i]) < 0.0 ? -1.0 : 1.0;
       for (int dim = 0; dim < 3; dim++) normal[dim] = side * plate_.normal()[dim];
-      c.addStep(forces[i], normal, update->dt);
-    } else if (c.steps > 0.0) {
+      c.addStep(force, normal, update->dt);
+    } else if (near.inContact) {
+      near.inContact = false;
       finish(i, c);
     }
   }

@@ -62,12 +62,21 @@ class CollisionTracker : protected Pointers {
   class FixPropertyAtom *state_;
   double start_;
   bool rebuild_, thorough_;         // near_ is out of date; look at all grains
-  std::vector<int> near_;           // grains that can reach the plate until the next rebuild
+
+  // grains that can reach the plate until the next rebuild, and whether they touch it: most
+  // of them do not, and this spares a look at their state every step
+  struct Near {
+    int index;
+    bool inContact;
+  };
+  std::vector<Near> near_;
+
   std::vector<grainjet::FinishedCollision> finished_;
   std::vector<double> begun_;
   bool seen_, elsewhere_;
 
   grainjet::Collision &contact(int) const;
+  bool reaches(int) const;
   bool touches(int, double **forces) const;
   bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= start_; }
   double kinetic_energy(int) const;

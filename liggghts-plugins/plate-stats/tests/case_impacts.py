@@ -159,6 +159,22 @@ class Impacts(PlateCase):
         self.assertAlmostEqual(top["normal_force_peak_mean"] / peak, 1, delta=0.01)
         self.assertEqual(top["impact_angle_mean"], 0)
 
+    def test_with_hertz_cg(self):
+        """fix hertz/cg makes neighbour lists when it sees fit; the plate misses nothing: the
+        table of the stock pair style, to the rounding of the printed digits."""
+        grid = [-0.0045 + 0.001 * i for i in range(10)]
+        self.data([(x, y, D + 0.0001 * ((i * 7 + j * 3) % 31), 3.0 * math.sin(i), 3.0 * math.sin(j),
+                    -0.5 - 0.7 * ((i + j) % 10)) for i, x in enumerate(grid) for j, y in enumerate(grid)])
+        tables = []
+        for extra in ({}, {"pair": "fix c all hertz/cg", "before": "plugin load hertzcgplugin.so\n"}):
+            self.liggghts(self.script(f"{PLATE}\nrun 10000", **extra), 2)
+            tables.append(self.table())
+        self.assertGreater(tables[0]["all"]["collisions"], 50)
+        for region, row in tables[0].items():
+            for key, value in row.items():
+                numpy.testing.assert_allclose(tables[1][region][key], value, rtol=1e-8, atol=1e-14,
+                                              err_msg=f"{region} {key}")
+
     def test_coarse_grained(self):
         """One grain stands for f_cg^3 particles: the file counts both."""
         self.data([(0.001 * i, 0, 2 * D, 0, 0, -2.0) for i in range(3)])

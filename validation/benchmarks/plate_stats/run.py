@@ -27,7 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "testing"))
 import grainjet  # noqa: E402
 
-N, D, RHO, SPEED, WIDTH, HEIGHT, DT, STEPS = 50000, 80e-6, 2950.0, 6.0, 0.02, 0.0025, 1e-6, 300
+N, D, RHO, SPEED, WIDTH, HEIGHT, DT, STEPS = 50000, 80e-6, 2950.0, 1.2, 0.02, 0.002, 1e-6, 300
 
 PLATE = ("fix p all plate/stats wall w centre 0 0 0 normal 0 0 1 radius 0.0141 rings 7 every 1000 "
          "file plate.csv events events.csv")
@@ -52,7 +52,7 @@ soft_particles yes
 read_data grains.data
 neighbor 0.00024 bin
 neigh_modify delay 0 binsize 0.0004
-fix m1 all property/global youngsModulus peratomtype 5.e5
+fix m1 all property/global youngsModulus peratomtype 1.e6
 fix m2 all property/global poissonsRatio peratomtype 0.3
 fix m3 all property/global coefficientRestitution peratomtypepair 1 1.0
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.0
@@ -63,6 +63,7 @@ fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0 s
 fix t all wall/gran model hertz tangential history primitive type 1 zplane {height}
 fix i all nve/sphere
 thermo {steps}
+thermo_modify lost error
 run {steps}
 """
 
