@@ -7,7 +7,6 @@
 #include "particleSamplingPlanes.H"
 #include "addToRunTimeSelectionTable.H"
 #include "ListOps.H"
-#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -37,7 +36,7 @@ void Foam::functionObjects::particleSamplingPlanes::checkKeywords
     const wordHashSet own
     ({
         "cloud", "origin", "axis", "diameter", "planes", "radialBins",
-        "maxRadius", "binning", "events", "reset"
+        "maxRadius", "binning", "sizeClasses", "events", "reset"
     });
     const wordHashSet ofEveryFunctionObject
     ({
@@ -89,128 +88,6 @@ void Foam::functionObjects::particleSamplingPlanes::checkContinuity()
 }
 
 
-Foam::scalar
-Foam::functionObjects::particleSamplingPlanes::meshLength() const
-{
-    const vector span(mesh_.bounds().span());
-    const vector& axis = frame_.axis();
-
-    return
-    (
-        mag(axis.x())*span.x() + mag(axis.y())*span.y() + mag(axis.z())*span.z()
-    )/frame_.diameter();
-}
-
-
-Foam::functionObjects::particleSamplingPlanes::gap
-Foam::functionObjects::particleSamplingPlanes::gapAt(const scalar x) const
-{
-    const scalar* const begin = positions_.begin();
-    const scalar* const end = positions_.end();
-    const scalar* const ahead = std::upper_bound(begin, end, x);
-
-    return
-    {
-        ahead == begin ? -VGREAT : ahead[-1],
-        ahead == end ? VGREAT : *ahead
-    };
-}
-
-
-void Foam::functionObjects::particleSamplingPlanes::book
-(
-    const label parceli,
-    const scalar before,
-    const scalar after
-)
-{
-    const particleState& now = view_->now();
-    const point& start = view_->start()[parceli];
-    const vector way(now.position[parceli] - start);
-    const scalar deltaT = time_.deltaTValue();
-
-    ringStatistics::crossing c;
-    c.forward = after > before;
-    c.nParticle = now.nParticle[parceli];
-    c.mass = now.mass[parceli];
-    c.speedOverStep = mag(way & frame_.axis())/deltaT;
-
-    forAll(planes_, planei)
-    {
-        const scalar x = planes_[planei].position();
-
-        if ((before < x) == (after < x))
-        {
-            continue;
-        }
-
-        const scalar fraction = (x - before)/(after - before);
-        const point p(start + fraction*way);
-        c.velocity = frame_.components(p, now.U[parceli]);
-
-        planes_[planei].book
-        (
-            grid_.index(frame_.radius(p)),
-            c,
-            clock_.current()
-        );
-
-        if (events_.valid())
-        {
-            events_->append
-            ({
-                time_.value() - (1 - fraction)*deltaT,
-                x,
-                scalar(c.forward ? 1 : -1),
-                scalar(now.origProc[parceli]),
-                scalar(now.origId[parceli]),
-                p.x(), p.y(), p.z(),
-                c.velocity.x(), c.velocity.y(), c.velocity.z(),
-                c.nParticle,
-                c.mass
-            });
-        }
-    }
-}
-
-
-void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
-{
-    const List<point>& start = view_->start();
-    const particleState& now = view_->now();
-    const scalar longest = 0.5*meshLength();
-    const scalar deltaT = time_.deltaTValue();
-    const bool watch = view_->wantsWatch();
-    DynamicList<label> toWatch;
-
-    forAll(start, i)
-    {
-        const scalar before = frame_.axial(start[i]);
-        const scalar after = frame_.axial(now.position[i]);
-        const gap here(gapAt(after));
-
-        if (mag(after - before) > longest)
-        {
-            ++jumped_;
-        }
-        else if (!here.contains(before))
-        {
-            book(i, before, after);
-        }
-
-        if (watch && !here.contains(after + deltaT*frame_.axialPart(now.U[i])))
-        {
-            toWatch.append(i);
-        }
-    }
-
-    if (watch)
-    {
-        view_->watch(toWatch);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
@@ -225,6 +102,7 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     frame_(),
     grid_(1, 1, ringGrid::binning::equalWidth),
     planes_(),
+    sizeLimits_(),
     positions_(),
     clock_(),
     view_(),
@@ -295,16 +173,31 @@ bool Foam::functionObjects::particleSamplingPlanes::read
         }
     }
 
+    sizeLimits_ = dict.lookupOrDefault("sizeClasses", scalarList());
+    for (label i = 0; i < sizeLimits_.size(); ++i)
+    {
+        if (sizeLimits_.size() < 2 || (i && sizeLimits_[i] <= sizeLimits_[i - 1]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "sizeClasses " << sizeLimits_ << " must be at least two"
+                << " diameters in ascending order [m]" << exit(FatalIOError);
+        }
+    }
+
     timeEnd_ = dict.lookupOrDefault<scalar>("timeEnd", VGREAT);
     ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
 
     if (before.empty())
     {
         positions_ = positions;
-        planes_.setSize(positions.size());
-        forAll(positions, i)
+        planes_.setSize(positions.size()*max(sizeLimits_.size(), 1));
+        forAll(planes_, i)
         {
-            planes_[i] = samplingPlane(positions[i], nRings);
+            planes_[i] = samplingPlane
+            (
+                positions[i % positions.size()],
+                nRings
+            );
         }
 
         view_ = particleView::New(mesh_, dict.get<word>("cloud"));
@@ -314,7 +207,7 @@ bool Foam::functionObjects::particleSamplingPlanes::read
             events_.reset(new crossingEvents);
         }
     }
-    else if (before != signature() || positions.size() != planes_.size())
+    else if (before != signature() || positions != positions_)
     {
         FatalIOErrorInFunction(dict)
             << "planes, rings and axis of " << name()
@@ -327,6 +220,13 @@ bool Foam::functionObjects::particleSamplingPlanes::read
 
 bool Foam::functionObjects::particleSamplingPlanes::execute()
 {
+    if (postProcess)
+    {
+        Log << type() << ' ' << name() << ": nothing to do in post-processing,"
+            << " crossings can only be seen during the run" << endl;
+        return true;
+    }
+
     checkContinuity();
 
     if (view_->refresh())
@@ -358,7 +258,12 @@ bool Foam::functionObjects::particleSamplingPlanes::execute()
 
 bool Foam::functionObjects::particleSamplingPlanes::write()
 {
-    if (ownWriteControl_ && writtenTimeIndex_ != time_.timeIndex())
+    if
+    (
+        ownWriteControl_
+     && !postProcess
+     && writtenTimeIndex_ != time_.timeIndex()
+    )
     {
         publish();
     }
@@ -369,7 +274,7 @@ bool Foam::functionObjects::particleSamplingPlanes::write()
 
 bool Foam::functionObjects::particleSamplingPlanes::end()
 {
-    if (writtenTimeIndex_ != time_.timeIndex())
+    if (!postProcess && writtenTimeIndex_ != time_.timeIndex())
     {
         publish();
     }

@@ -36,6 +36,7 @@ struct mergeRings
 static word tidyName(const scalar x)
 {
     std::ostringstream buffer;
+    buffer.precision(10);
     buffer << x;
     return word(buffer.str(), false);
 }
@@ -59,10 +60,8 @@ Foam::functionObjects::particleSamplingPlanes::signature() const
     {
         numbers.append(grid_.radius(i));
     }
-    for (const samplingPlane& plane : planes_)
-    {
-        numbers.append(plane.position());
-    }
+    numbers.append(positions_);
+    numbers.append(sizeLimits_);
     return scalarList(std::move(numbers));
 }
 
@@ -174,6 +173,21 @@ void Foam::functionObjects::particleSamplingPlanes::publish()
 }
 
 
+Foam::word Foam::functionObjects::particleSamplingPlanes::tableName
+(
+    const label i
+) const
+{
+    const label nPositions = positions_.size();
+    word name("plane_" + tidyName(positions_[i % nPositions]) + 'D', false);
+    if (i >= nPositions)
+    {
+        name += "_size" + Foam::name(i/nPositions);
+    }
+    return name + ".dat";
+}
+
+
 void Foam::functionObjects::particleSamplingPlanes::writeTables
 (
     const scalarList& combined
@@ -186,21 +200,30 @@ void Foam::functionObjects::particleSamplingPlanes::writeTables
 
     Log << type() << ' ' << name() << ": crossings";
 
+    const label nPositions = positions_.size();
     const scalar* next = combined.begin();
-    for (const samplingPlane& plane : planes_)
+    forAll(planes_, i)
     {
-        samplingPlane whole(plane.position(), grid_.size());
+        samplingPlane whole(planes_[i].position(), grid_.size());
         whole.unpack(next);
         next += whole.packedSize();
 
-        const word x(tidyName(plane.position()));
-        OFstream os(folder/("plane_" + x + "D.dat"));
+        OFstream os(folder/tableName(i));
         os.precision(writePrecision_ > 10 ? writePrecision_ : 10);
         os  << "# " << type() << ' ' << name() << ", time = "
-            << time_.timeName() << " s" << nl;
+            << time_.timeName() << " s";
+        if (i < nPositions)
+        {
+            Log << ' ' << tidyName(positions_[i]) << "D " << whole.crossings();
+        }
+        else
+        {
+            const label sizei = i/nPositions - 1;
+            os  << ", particles of diameter " << sizeLimits_[sizei] << " to "
+                << sizeLimits_[sizei + 1] << " m";
+        }
+        os  << nl;
         whole.writeTable(os, grid_, frame_.diameter(), clock_);
-
-        Log << ' ' << x << "D " << whole.crossings();
     }
 
     Log << " in " << clock_.total() << " s sampled" << endl;

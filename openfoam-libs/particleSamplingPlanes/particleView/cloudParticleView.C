@@ -98,11 +98,14 @@ bool Foam::cloudParticleView::readCloud(List<scalar>& age)
         now_.nParticle = 1;
     }
 
-    const List<scalar> d(take<scalar>(published, "d"));
+    now_.diameter = take<scalar>(published, "d");
     now_.mass = take<scalar>(published, "rho");
     forAll(now_.mass, i)
     {
-        now_.mass[i] = parcelMass(d[i], now_.mass[i], now_.nParticle[i]);
+        scalar& d = now_.diameter[i];
+        d = particleDiameter(d, now_.nParticle[i]);
+        now_.mass[i] *=
+            now_.nParticle[i]*constant::mathematical::pi/6*pow3(d);
     }
 
     if (needsPositionOld() || published.found("positionOld"))
@@ -121,14 +124,13 @@ bool Foam::cloudParticleView::readCloud(List<scalar>& age)
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::cloudParticleView::parcelMass
+Foam::scalar Foam::cloudParticleView::particleDiameter
 (
     const scalar d,
-    const scalar rho,
-    const scalar nParticle
+    const scalar
 ) const
 {
-    return nParticle*rho*constant::mathematical::pi/6*pow3(d);
+    return d;
 }
 
 

@@ -5,7 +5,6 @@
 ------------------------------------------------------------------------- */
 
 #include "liggghtsParticleView.H"
-#include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -19,14 +18,13 @@ namespace Foam
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::liggghtsParticleView::parcelMass
+Foam::scalar Foam::liggghtsParticleView::particleDiameter
 (
     const scalar d,
-    const scalar rho,
-    const scalar
+    const scalar nParticle
 ) const
 {
-    return rho*constant::mathematical::pi/6*pow3(d);
+    return d/cbrt(nParticle);
 }
 
 

@@ -19,6 +19,7 @@ Foam::particleState Foam::particleState::subset
     part.U = UIndirectList<vector>(U, indices);
     part.nParticle = UIndirectList<scalar>(nParticle, indices);
     part.mass = UIndirectList<scalar>(mass, indices);
+    part.diameter = UIndirectList<scalar>(diameter, indices);
     part.origProc = UIndirectList<label>(origProc, indices);
     part.origId = UIndirectList<label>(origId, indices);
     return part;
@@ -31,6 +32,7 @@ void Foam::particleState::append(const particleState& other)
     U.append(other.U);
     nParticle.append(other.nParticle);
     mass.append(other.mass);
+    diameter.append(other.diameter);
     origProc.append(other.origProc);
     origId.append(other.origId);
 }
@@ -66,7 +68,7 @@ void Foam::particleState::flyOn(const scalar deltaT, const boundBox& bounds)
 Foam::Istream& Foam::operator>>(Istream& is, particleState& state)
 {
     is  >> state.position >> state.U >> state.nParticle >> state.mass
-        >> state.origProc >> state.origId;
+        >> state.diameter >> state.origProc >> state.origId;
 
     is.check(FUNCTION_NAME);
     return is;
@@ -76,7 +78,7 @@ Foam::Istream& Foam::operator>>(Istream& is, particleState& state)
 Foam::Ostream& Foam::operator<<(Ostream& os, const particleState& state)
 {
     os  << state.position << state.U << state.nParticle << state.mass
-        << state.origProc << state.origId;
+        << state.diameter << state.origProc << state.origId;
 
     os.check(FUNCTION_NAME);
     return os;

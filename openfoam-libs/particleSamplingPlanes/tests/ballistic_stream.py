@@ -15,13 +15,14 @@ LENGTH = 1.0            # m, box along z
 DT = 0.01               # s
 INJECTED = 0.995        # s, one parcel per step and injector: 100
 N_PARTICLE = 8          # real particles per parcel
-D, RHO = 1e-3, 1000.0   # m, kg/m3
+SMALL, LARGE = 1e-3, 2e-3   # m, diameters of the stream and of the others
+RHO = 1000.0            # kg/m3
 PLANES = (0.3, 1, 5, 9.9)
 RINGS, MAX_RADIUS = 4, 0.8
 
 
 def injectors():
-    """Place and velocity of each injector; one parcel per step comes from each."""
+    """Place, velocity and diameter of each injector; one parcel per step comes from each."""
     result = []
     for i in range(40):                                   # the stream
         r, angle = 0.004 + 0.0021*i, 2.4*i
@@ -29,25 +30,25 @@ def injectors():
         axial = 2.0*(1 - (r/0.12)**2)
         swirl, spread = 0.3*r, 0.1*r
         result.append(((r*c, r*s, 0.013),
-                       (spread*c - swirl*s, spread*s + swirl*c, axial)))
+                       (spread*c - swirl*s, spread*s + swirl*c, axial), SMALL))
     for i in range(5):                                    # against the axis
-        result.append(((0.011*i - 0.02, 0.013, 0.953), (0.0, 0.01, -1.37 - 0.1*i)))
+        result.append(((0.011*i - 0.02, 0.013, 0.953), (0.0, 0.01, -1.37 - 0.1*i), LARGE))
     for i in range(5):                                    # several planes per step
-        result.append(((0.017, 0.012*i - 0.03, 0.013), (0.02, 0.0, 30.0 + i)))
+        result.append(((0.017, 0.012*i - 0.03, 0.013), (0.02, 0.0, 30.0 + i), LARGE))
     return result
 
 
 def crossings():
-    """(plane, direction, place, velocity, time of flight) of the crossings of one parcel of
+    """(plane, direction, place, velocity, time of flight, diameter) of the crossings of one parcel of
     each injector, if it is given the time to leave the box."""
     result = []
-    for place, velocity in injectors():
+    for place, velocity, diameter in injectors():
         for plane in PLANES:
             flight = (plane*DIAMETER - place[2])/velocity[2]
             if flight > 0:
                 result.append((plane, math.copysign(1, velocity[2]),
                                [x + u*flight for x, u in zip(place, velocity)],
-                               velocity, flight))
+                               velocity, flight, diameter))
     return result
 
 
@@ -127,7 +128,7 @@ cloudFunctions {{}}
         'boundaryField { ".*" { type fixedValue; value uniform (0 0 0); } }\n')
     rows = "\n".join(
         "(" + " ".join(repr(v) for v in place) + ") (" + " ".join(repr(v) for v in velocity)
-        + f") {D} {RHO} 1e-6" for place, velocity in injectors())
+        + f") {d} {RHO} 1e-6" for place, velocity, d in injectors())
     (folder/"constant/injectors").write_text(
         HEADER.format("GlobalIOList<kinematicParcelInjectionData>", "injectors")
         + f"{len(injectors())}\n(\n{rows}\n)\n")

@@ -24,14 +24,14 @@ def table(folder, plane, start="0"):
 
 def expected():
     """Per plane the known crossings, one row per injector: ring, direction, axial, radial,
-    tangential velocity, time of flight."""
+    tangential velocity, time of flight, diameter."""
     result = {plane: [] for plane in stream.PLANES}
-    for plane, direction, place, velocity, flight in stream.crossings():
+    for plane, direction, place, velocity, flight, diameter in stream.crossings():
         r = math.hypot(place[0], place[1])
         radial = (velocity[0]*place[0] + velocity[1]*place[1])/r
         tangential = (velocity[1]*place[0] - velocity[0]*place[1])/r
         ring = int(r/stream.DIAMETER/stream.MAX_RADIUS*stream.RINGS)
-        result[plane].append((ring, direction, velocity[2], radial, tangential, flight))
+        result[plane].append((ring, direction, velocity[2], radial, tangential, flight, diameter))
     return {plane: numpy.array(rows) for plane, rows in result.items()}
 
 
@@ -50,14 +50,15 @@ class Sampling(grainjet.Case):
         for plane, rows in expected().items():
             got = table(self.folder, plane)
             for ring in range(stream.RINGS):
-                _, direction, axial, radial, tangential, _ = rows[rows[:, 0] == ring].T
+                _, direction, axial, radial, tangential, _, diameter = rows[rows[:, 0] == ring].T
                 inner, outer = (0.1*stream.MAX_RADIUS*k/stream.RINGS for k in (ring, ring + 1))
                 area = math.pi*(outer**2 - inner**2)
                 self.assertEqual(got["crossings"][ring], PARCELS*len(axial), (plane, ring))
                 self.assertEqual(got["forward"][ring], PARCELS*(direction > 0).sum())
                 weight = 1/abs(axial)
-                flux = PARCELS*direction.sum()*stream.N_PARTICLE/(area*END)
-                mass = stream.RHO*math.pi/6*stream.D**3
+                per_injector = PARCELS*stream.N_PARTICLE/(area*END)
+                flux = per_injector*direction.sum()
+                mass_flux = per_injector*(direction*stream.RHO*math.pi/6*diameter**3).sum()
                 # Sums of at most 10^4 numbers, printed with 10 digits
                 for name, value in (
                         ("flux_weighted_mean_axial", axial.mean()),
@@ -68,7 +69,7 @@ class Sampling(grainjet.Case):
                         ("flux_weighted_rms_tangential", tangential.std()),
                         ("concentration_weighted_mean_axial", (weight*axial).sum()/weight.sum()),
                         ("concentration_weighted_mean_radial", (weight*radial).sum()/weight.sum()),
-                        ("number_flux", flux), ("mass_flux", flux*mass)):
+                        ("number_flux", flux), ("mass_flux", mass_flux)):
                     self.assertAlmostEqual(got[name][ring], value, delta=1e-8*(1e-3 + abs(value)), msg=(plane, ring, name))
 
     def test_ranks_do_not_change_the_counts(self):
@@ -164,6 +165,28 @@ class Sampling(grainjet.Case):
         self.assertIn("sampled time = 0.2 s",
                       (self.folder/"postProcessing/profiles/0/plane_0.3D.dat").read_text())
 
+    def test_size_classes(self):
+        sizes = "(0 1.5e-3 2.5e-3)"
+        self.sample(self.folder, functions=stream.sampling(sizeClasses=sizes))
+        for plane, rows in expected().items():
+            for k, size in ((1, stream.SMALL), (2, stream.LARGE)):
+                path = self.folder/f"postProcessing/profiles/0/plane_{plane:g}D_size{k}.dat"
+                columns = numpy.loadtxt(path).T
+                for ring in range(stream.RINGS):
+                    mine = rows[(rows[:, 0] == ring) & (rows[:, 6] == size)]
+                    self.assertEqual(columns[1][ring], PARCELS*len(mine))
+                    if len(mine):
+                        self.assertAlmostEqual(columns[2][ring], mine[:, 2].mean(), delta=1e-7)
+
+    def test_post_processing_leaves_it_alone(self):
+        self.sample(self.folder, end=0.2)
+        profile = self.folder/"postProcessing/profiles/0/plane_1D.dat"
+        before = profile.read_bytes()
+        result = grainjet.run(["postProcess"], self.folder)
+        self.assertEqual(result.code, 0, result)
+        self.assertIn("only be seen during the run", result.output)
+        self.assertEqual(profile.read_bytes(), before)
+
     def assertRefused(self, words, **changes):
         stream.control(self.folder, END, functions=stream.sampling(**changes))
         self.assertFails(self.foam("icoUncoupledKinematicParcelFoam", check=False), *words)
@@ -178,6 +201,7 @@ class Sampling(grainjet.Case):
                 (("maxRadius -1",), {"maxRadius": -1}),
                 (("diameter 0",), {"diameter": 0}),
                 (("axis (0 0 0)",), {"axis": "(0 0 0)"}),
+                (("sizeClasses", "ascending"), {"sizeClasses": "(2e-3 1e-3)"}),
                 (("'origin' not found",), {"origin": None}),
                 (("binning", "equalWidth", "equalArea"), {"binning": "equal"}),
                 (("Unknown entry maxRadus", "maxRadius"), {"maxRadus": 3}),
