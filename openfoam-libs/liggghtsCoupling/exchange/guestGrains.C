@@ -115,22 +115,42 @@ void Foam::guestGrains::locate()
     DynamicList<guestGrain> away;
     DynamicList<label> lastRank;
 
+    // The cell that held an atom last, if it was a guest here
+    const auto lastCell = [&](const label atom) -> label
+    {
+        const label number = label(door.host[atom][1]);
+        const bool known =
+            label(door.host[atom][0]) == me
+         && number >= 0
+         && number < previousCells_.size();
+
+        return known ? previousCells_[number] : -1;
+    };
+
+    // Far enough ahead for memory to arrive
+    const label ahead = 8;
+
     for (label atom = 0; atom < grains.n; ++atom)
     {
-        guestGrain guest = asGuest(grains, atom);
+        if (atom + ahead < grains.n)
+        {
+            const label celli = lastCell(atom + ahead);
+            if (celli >= 0)
+            {
+                locator_.fetch(celli);
+            }
+        }
 
+        guestGrain guest = asGuest(grains, atom);
         const label rank = label(door.host[atom][0]);
-        const label number = label(door.host[atom][1]);
 
         // A grain that was a guest elsewhere is probably still one: it asks there first
         const bool elsewhere = (rank >= 0 && rank != me);
-        const bool known =
-            rank == me && number >= 0 && number < previousCells_.size();
 
         const cellLocator::place place =
             elsewhere
           ? cellLocator::place{-1, 0, -1}
-          : locator_.find(guest.position, known ? previousCells_[number] : -1);
+          : locator_.find(guest.position, lastCell(atom));
 
         if (place.cell >= 0)
         {

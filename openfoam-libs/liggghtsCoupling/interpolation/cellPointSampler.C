@@ -18,6 +18,21 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Ask for memory that will be read: both ends, since it may lie in two cache lines
+inline void fetch(const void* first, const std::size_t size)
+{
+    __builtin_prefetch(first);
+    __builtin_prefetch(static_cast<const char*>(first) + size - 1);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::cellPointSampler::inPyramid
@@ -35,20 +50,22 @@ bool Foam::cellPointSampler::inPyramid
     // interpolation is continuous
     const scalar tolerance = -1e-10;
 
-    const face& f = mesh_.faces()[grain.pyramid];
-    const label base = max(mesh_.tetBasePtIs()[grain.pyramid], 0);
-    const pointField& points = mesh_.points();
+    const FixedList<label, 4>& corners = corners_[grain.pyramid];
+    if (corners[0] < 0)
+    {
+        return false;
+    }
 
-    const point& centre = mesh_.cellCentres()[grain.cell];
-    const vector b = points[f[base]] - centre;
+    const point& centre = cells_[grain.cell].position;
+    const vector b = points_[corners[0]].position - centre;
     const vector r = grain.position - centre;
 
-    for (label i = 1; i < f.size() - 1; ++i)
+    for (direction i = 1; i < 3; ++i)
     {
-        const label pa = f[(base + i)%f.size()];
-        const label pc = f[(base + i + 1)%f.size()];
-        const vector a = points[pa] - centre;
-        const vector c = points[pc] - centre;
+        const label pa = corners[i];
+        const label pc = corners[i + 1];
+        const vector a = points_[pa].position - centre;
+        const vector c = points_[pc].position - centre;
 
         // Cramer's rule for r = wb b + wa a + wc c
         const vector ac = a ^ c;
@@ -61,7 +78,7 @@ bool Foam::cellPointSampler::inPyramid
 
         if (min(min(wa, wb), min(wc, w0)) >= tolerance)
         {
-            result = weights{{w0, wb, wa, wc}, {f[base], pa, pc}};
+            result = weights{{w0, wb, wa, wc}, {corners[0], pa, pc}};
             return true;
         }
     }
@@ -89,12 +106,42 @@ void Foam::cellPointSampler::search
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::cellPointSampler::cellPointSampler(const fvMesh& mesh)
+Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
 :
-    mesh_(mesh),
-    cells_(mesh.nCells()),
-    points_(mesh.nPoints())
-{}
+    mesh_(locator.mesh()),
+    corners_(locator.allPlanes().size()),
+    cells_(mesh_.nCells()),
+    points_(mesh_.nPoints())
+{
+    const faceList& faces = mesh_.faces();
+    const labelList& bases = mesh_.tetBasePtIs();
+
+    forAll(corners_, i)
+    {
+        const label facei = locator.allPlanes()[i].face;
+        const face& f = faces[facei];
+        const label base = max(bases[facei], 0);
+
+        FixedList<label, 4>& corners = corners_[i];
+        corners = -1;
+        if (f.size() <= 4)
+        {
+            for (label k = 0; k < 4; ++k)
+            {
+                corners[k] = f[(base + min(k, f.size() - 1))%f.size()];
+            }
+        }
+    }
+
+    forAll(cells_, i)
+    {
+        cells_[i].position = mesh_.cellCentres()[i];
+    }
+    forAll(points_, i)
+    {
+        points_[i].position = mesh_.points()[i];
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -106,7 +153,7 @@ void Foam::cellPointSampler::update
     const volScalarField& voidFraction
 )
 {
-    const volPointInterpolation& toPoints = volPointInterpolation::New(mesh_);
+    const volPointInterpolation& toPoints = volPointInterpolation::New(U.mesh());
 
     const tmp<pointVectorField> pU(toPoints.interpolate(U));
     const tmp<pointVectorField> pForce(toPoints.interpolate(force));
@@ -114,11 +161,39 @@ void Foam::cellPointSampler::update
 
     forAll(cells_, i)
     {
-        cells_[i] = {U[i], force[i], voidFraction[i]};
+        cells_[i] =
+        {
+            cells_[i].position, U[i], force[i], voidFraction[i]
+        };
     }
     forAll(points_, i)
     {
-        points_[i] = {pU()[i], pForce()[i], pVoidFraction()[i]};
+        points_[i] =
+        {
+            points_[i].position, pU()[i], pForce()[i], pVoidFraction()[i]
+        };
+    }
+}
+
+
+void Foam::cellPointSampler::soon(const guestGrain& grain) const
+{
+    if (grain.pyramid >= 0)
+    {
+        fetch(&corners_[grain.pyramid], sizeof(corners_[0]));
+    }
+    fetch(&cells_[grain.cell], sizeof(packed));
+}
+
+
+void Foam::cellPointSampler::verySoon(const guestGrain& grain) const
+{
+    if (grain.pyramid >= 0 && corners_[grain.pyramid][0] >= 0)
+    {
+        for (const label pointi : corners_[grain.pyramid])
+        {
+            fetch(&points_[pointi], sizeof(packed));
+        }
     }
 }
 

@@ -18,7 +18,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::cellSampler::cellSampler(const fvMesh&)
+Foam::cellSampler::cellSampler(const cellLocator&)
 :
     U_(nullptr),
     force_(nullptr),

@@ -22,7 +22,7 @@ namespace Foam
 Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
 (
     const dictionary& dict,
-    const fvMesh& mesh
+    const cellLocator& locator
 )
 {
     const word scheme(dict.lookupOrDefault<word>("interpolation", "cellPoint"));
@@ -31,7 +31,7 @@ Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
 
     if (cstrIter.found())
     {
-        return autoPtr<fluidSampler>(cstrIter()(mesh));
+        return autoPtr<fluidSampler>(cstrIter()(locator));
     }
 
     auto* schemes = interpolation<vector>::dictionaryConstructorTablePtr_;

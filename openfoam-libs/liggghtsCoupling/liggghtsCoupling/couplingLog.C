@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingLog.H"
-#include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -56,9 +55,32 @@ Foam::scalar Foam::couplingLog::courant() const
         return -1;
     }
 
-    const scalarField sumPhi(fvc::surfaceSum(mag(*phi))().primitiveField());
+    scalarField sumPhi(mesh_.nCells(), Zero);
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    forAll(neighbour, facei)
+    {
+        const scalar flux = mag((*phi)[facei]);
+        sumPhi[owner[facei]] += flux;
+        sumPhi[neighbour[facei]] += flux;
+    }
+    forAll(phi->boundaryField(), patchi)
+    {
+        const scalarField& patchPhi = phi->boundaryField()[patchi];
+        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
+        forAll(patchPhi, i)
+        {
+            sumPhi[cells[i]] += mag(patchPhi[i]);
+        }
+    }
 
-    return 0.5*gMax(sumPhi/mesh_.V().field())*mesh_.time().deltaTValue();
+    scalar largest = 0;
+    forAll(sumPhi, celli)
+    {
+        largest = max(largest, sumPhi[celli]/mesh_.V()[celli]);
+    }
+    return
+        0.5*returnReduce(largest, maxOp<scalar>())*mesh_.time().deltaTValue();
 }
 
 

@@ -121,7 +121,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     (
         voidFractionModel::New(voidFractionDict(coeffs_), locator_)
     ),
-    sampler_(fluidSampler::New(coeffs_, mesh)),
+    sampler_(fluidSampler::New(coeffs_, locator_)),
     momentum_(grainMomentum::New(coeffs_, fluid_)),
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
     shares_(locator_, boxes_),

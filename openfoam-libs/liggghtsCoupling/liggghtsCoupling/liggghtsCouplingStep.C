@@ -102,9 +102,18 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
     grainjet::drag::State state;
     state.density = fluid_.rho();
 
+    // Far enough ahead for memory to arrive
+    const label ahead = 8;
+
     actions_.setSize(guests.size());
     forAll(guests, g)
     {
+        if (g + 2*ahead < guests.size())
+        {
+            sampler_->soon(guests[g + 2*ahead]);
+            sampler_->verySoon(guests[g + ahead]);
+        }
+
         const guestGrain& grain = guests[g];
         const fluidSampler::sample fluid = sampler_->at(grain);
         const scalar volume = grain.volume();
