@@ -15,7 +15,7 @@ namespace grainjet {
    contact. Plain doubles, since that is what travels between ranks and into restart
    files. Everything is of the grain, SI units.                                       */
 struct Collision {
-  double steps;             // DEM steps in contact so far; 0: not in contact
+  double steps;             // DEM steps in contact so far
   double time;              // s, of the first of them; negative: began unobserved
   double duration;          // s
   double a, b;              // m, grain centre at first contact, in the plate's plane
@@ -29,6 +29,7 @@ struct Collision {
 
   static constexpr int SIZE = 12;
   double *data() { return &steps; }
+  const double *data() const { return &steps; }
 
   double normalMean() const { return normalSum / duration; }
   double tangentialMean() const { return tangentialSum / duration; }

@@ -7,7 +7,6 @@
 #include "collision_tracker.h"
 
 #include "atom.h"
-#include "fix_property_atom.h"
 #include "force.h"
 #include "math_const.h"
 #include "neighbor.h"
@@ -18,23 +17,18 @@
 
 using namespace LAMMPS_NS;
 using grainjet::Collision;
+using grainjet::CollisionStore;
 using grainjet::FinishedCollision;
 using grainjet::PlateGeometry;
 
 /* ---------------------------------------------------------------------- */
 
-CollisionTracker::CollisionTracker(LAMMPS *lmp, const PlateGeometry &plate, int groupbit) :
-  Pointers(lmp), plate_(plate), groupbit_(groupbit), state_(NULL), start_(0.0),
+CollisionTracker::CollisionTracker(LAMMPS *lmp, const PlateGeometry &plate, int groupbit,
+  CollisionStore &store) :
+  Pointers(lmp), plate_(plate), groupbit_(groupbit), store_(store), start_(0.0),
   rebuild_(true), thorough_(true), begun_(1 + plate.rings(), 0.0),
   seen_(false), elsewhere_(false)
 {
-}
-
-/* ---------------------------------------------------------------------- */
-
-Collision &CollisionTracker::contact(int i) const
-{
-  return *reinterpret_cast<Collision *>(state_->array_atom[i]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -58,9 +52,10 @@ void CollisionTracker::skip_present(double **forces)
 {
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit_) && touches(i, forces)) {
-      contact(i) = Collision();
-      contact(i).steps = 1.0;
-      contact(i).time = -1.0;
+      store_.end(i);
+      Collision &c = store_.begin(i);
+      c.steps = 1.0;
+      c.time = -1.0;
     }
 }
 
@@ -77,8 +72,8 @@ void CollisionTracker::find_near(double **forces)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit_)) continue;
     if (std::fabs(plate_.height(atom->x[i])) < atom->radius[i] + neighbor->skin
-        || (thorough_ && contact(i).steps > 0.0))
-      near_.push_back({i, contact(i).steps > 0.0});
+        || (thorough_ && store_.find(i)))
+      near_.push_back(i);
     else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
       elsewhere_ = true;
   }
@@ -90,23 +85,19 @@ void CollisionTracker::find_near(double **forces)
 void CollisionTracker::step(double **forces, double time)
 {
   if (rebuild_) find_near(forces);
-  for (Near &near : near_) {
-    const int i = near.index;
+  for (int i : near_) {
     const double *force = forces[0] + 3 * i;    // one block, as all arrays of LIGGGHTS
     const bool pushed = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
-    if (!pushed && !near.inContact) continue;
-
-    Collision &c = contact(i);
+    Collision *c = store_.find(i);
     if (pushed && reaches(i)) {
-      seen_ = near.inContact = true;
-      if (c.steps == 0.0) begin(i, c, time);
+      seen_ = true;
+      if (!c) c = &begin(i, time);
       double normal[3];
       const double side = plate_.height(atom->x[i]) < 0.0 ? -1.0 : 1.0;
       for (int dim = 0; dim < 3; dim++) normal[dim] = side * plate_.normal()[dim];
-      c.addStep(force, normal, update->dt);
-    } else if (near.inContact) {
-      near.inContact = false;
-      finish(i, c);
+      c->addStep(force, normal, update->dt);
+    } else if (c) {
+      finish(i);
     }
   }
 }
@@ -135,9 +126,9 @@ void CollisionTracker::count(const Collision &c, std::vector<double> &regions) c
 
 /* ---------------------------------------------------------------------- */
 
-void CollisionTracker::begin(int i, Collision &c, double time)
+Collision &CollisionTracker::begin(int i, double time)
 {
-  c = Collision();
+  Collision &c = store_.begin(i);
   c.time = time;
   plate_.project(atom->x[i], &c.a);
   const double *v = atom->v[i];
@@ -148,12 +139,14 @@ void CollisionTracker::begin(int i, Collision &c, double time)
     * 180.0 / MathConst::MY_PI;
   c.energy = kinetic_energy(i);
   count(c, begun_);
+  return c;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void CollisionTracker::finish(int i, Collision &c)
+void CollisionTracker::finish(int i)
 {
+  const Collision &c = *store_.find(i);
   const double place[2] = {c.a, c.b};
   if (counts(c) && plate_.ring(place) >= 0) {
     const double cg = force->cg(atom->type[i]);
@@ -165,7 +158,7 @@ void CollisionTracker::finish(int i, Collision &c)
     collision.energyAfter = kinetic_energy(i);
     finished_.push_back(collision);
   }
-  c = Collision();
+  store_.end(i);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -182,6 +175,6 @@ std::vector<double> CollisionTracker::touching() const
 {
   std::vector<double> regions(begun_.size(), 0.0);
   for (int i = 0; i < atom->nlocal; i++)
-    if (contact(i).steps > 0.0) count(contact(i), regions);
+    if (const Collision *c = store_.find(i)) count(*c, regions);
   return regions;
 }

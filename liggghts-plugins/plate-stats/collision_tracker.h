@@ -8,6 +8,7 @@
 #define GRAINJET_COLLISION_TRACKER_H
 
 #include "collision.h"
+#include "collision_store.h"
 #include "plate_geometry.h"
 
 #include "pointers.h"
@@ -17,14 +18,12 @@
 namespace LAMMPS_NS {
 
 /* Follows the collisions of this rank's grains with the plate from step to step. The
-   collisions in progress lie in a fix property/atom, so they migrate and restart.   */
+   owner of the store sees to it that collisions in progress migrate and restart.   */
 class CollisionTracker : protected Pointers {
  public:
 
-  CollisionTracker(class LAMMPS *, const grainjet::PlateGeometry &, int groupbit);
-
-  // where collisions in progress are kept: Collision::SIZE doubles per grain
-  void keep_in(class FixPropertyAtom *state) { state_ = state; }
+  CollisionTracker(class LAMMPS *, const grainjet::PlateGeometry &, int groupbit,
+    grainjet::CollisionStore &);
 
   // collisions that begin earlier do not count (s)
   void count_from(double time) { start_ = time; }
@@ -59,31 +58,23 @@ class CollisionTracker : protected Pointers {
 
   const grainjet::PlateGeometry &plate_;
   int groupbit_;
-  class FixPropertyAtom *state_;
+  grainjet::CollisionStore &store_;
   double start_;
   bool rebuild_, thorough_;         // near_ is out of date; look at all grains
 
-  // grains that can reach the plate until the next rebuild, and whether they touch it: most
-  // of them do not, and this spares a look at their state every step
-  struct Near {
-    int index;
-    bool inContact;
-  };
-  std::vector<Near> near_;
-
+  std::vector<int> near_;           // grains that can reach the plate until the next rebuild
   std::vector<grainjet::FinishedCollision> finished_;
   std::vector<double> begun_;
   bool seen_, elsewhere_;
 
-  grainjet::Collision &contact(int) const;
   bool reaches(int) const;
   bool touches(int, double **forces) const;
   bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= start_; }
   double kinetic_energy(int) const;
   void count(const grainjet::Collision &, std::vector<double> &) const;
   void find_near(double **forces);
-  void begin(int, grainjet::Collision &, double time);
-  void finish(int, grainjet::Collision &);
+  grainjet::Collision &begin(int, double time);
+  void finish(int);
 };
 
 }

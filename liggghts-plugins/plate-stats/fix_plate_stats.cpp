@@ -11,7 +11,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_property_atom.h"
 #include "modify.h"
 #include "update.h"
 
@@ -23,7 +22,6 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using grainjet::Collision;
 using grainjet::EventsFile;
 using grainjet::FinishedCollision;
 using grainjet::FixArguments;
@@ -37,7 +35,7 @@ static const int GATHER_EVERY = 1000;
 
 FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  every_(1000), start_(0.0), state_(NULL), observed_(false),
+  every_(1000), start_(0.0), observed_(false),
   warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0)
 {
   parse(narg, arg);
@@ -45,16 +43,29 @@ FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
 
   wall_.reset(new WallForces(lmp, wallID_));
-  tracker_.reset(new CollisionTracker(lmp, *plate_, groupbit));
+  tracker_.reset(new CollisionTracker(lmp, *plate_, groupbit, store_));
   statistics_.reset(new PlateStatistics(*plate_));
   begun_.assign(statistics_->regions(), 0.0);
 
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  create_attribute = 1;
+  restart_peratom = 1;
   restart_global = 1;
   nevery = 1;
   vector_flag = 1;
   size_vector = 3;
   global_freq = 1;
   extvector = 1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixPlateStats::~FixPlateStats()
+{
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -106,13 +117,7 @@ int FixPlateStats::setmask()
 void FixPlateStats::post_create()
 {
   find_wall();
-  const std::string name = std::string("plateStats_") + id;
-  std::vector<const char *> args = {name.c_str(), "all", "property/atom", name.c_str(),
-    "vector", "yes", "no", "no"};
-  args.insert(args.end(), Collision::SIZE, "0.");
-  state_ = modify->add_fix_property_atom(args.size(), const_cast<char **>(args.data()), style);
-  tracker_->keep_in(state_);
-  state_->just_created = 0;    // its initial state is set; Modify::setup need not repeat it
+  just_created = 0;    // grains are free of collisions; Modify::setup need not say so again
 
   std::string fault;
   if (comm->me == 0) {
@@ -140,13 +145,6 @@ void FixPlateStats::agree(std::string fault)
   MPI_Bcast(&fault[0], length, MPI_CHAR, 0, world);
   fault = std::string("Fix plate/stats (ID ") + id + "): " + fault;
   error->all(FLERR, fault.c_str());
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixPlateStats::pre_delete(bool unfixflag)
-{
-  if (unfixflag && state_) modify->delete_fix(state_->id);
 }
 
 /* ---------------------------------------------------------------------- */

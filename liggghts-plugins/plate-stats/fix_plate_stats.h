@@ -15,6 +15,7 @@ FixStyle(plate/stats,FixPlateStats)
 
 #include "fix.h"
 
+#include "collision_store.h"
 #include "collision_tracker.h"
 #include "events_file.h"
 #include "plate_geometry.h"
@@ -38,9 +39,9 @@ namespace LAMMPS_NS {
    in mid-step, after the last kick without and before the first kick with that force
    (and the reverse at the end), so speeds before and after hold no contact force.
 
-   Collisions in progress live in a stock fix property/atom plateStats_<ID> and so
-   migrate and restart; finished ones are gathered on rank 0, in the order of time and
-   ID, so that the result does not depend on the number of ranks.
+   Collisions in progress migrate and restart with their grains; finished ones are
+   gathered on rank 0, in the order of time and ID, so that the result does not depend
+   on the number of ranks.
 
    Global vector: 1 finished collisions, 2 grains in contact, 3 grains deleted while in
    contact, all for the whole plate and of collisions that count (see stats_start).    */
@@ -48,10 +49,10 @@ class FixPlateStats : public Fix {
  public:
 
   FixPlateStats(class LAMMPS *, int, char **);
+  ~FixPlateStats();
 
   int setmask();
   void post_create();
-  void pre_delete(bool);
   void init();
   void setup(int);
   void pre_neighbor();
@@ -61,6 +62,19 @@ class FixPlateStats : public Fix {
   void write_restart(FILE *);
   void restart(char *);
   double compute_vector(int);
+  double memory_usage();
+
+  // the collisions in progress go where their grains go
+
+  void grow_arrays(int);
+  void copy_arrays(int, int, int);
+  void set_arrays(int);
+  int pack_exchange(int, double *);
+  int unpack_exchange(int, double *);
+  int pack_restart(int, double *);
+  void unpack_restart(int, int);
+  int size_restart(int);
+  int maxsize_restart();
 
  private:
 
@@ -70,10 +84,10 @@ class FixPlateStats : public Fix {
 
   std::unique_ptr<grainjet::PlateGeometry> plate_;
   std::unique_ptr<WallForces> wall_;
-  class FixPropertyAtom *state_;    // a grainjet::Collision per grain
 
   // ---- on every rank
 
+  grainjet::CollisionStore store_;
   std::unique_ptr<CollisionTracker> tracker_;
   bool observed_;           // grains in contact from before have been marked
   bool warned_;             // whether the plate lies on the wall is settled

@@ -101,7 +101,8 @@ class Impacts(PlateCase):
         for ranks in (0, 1, 2, 4):
             self.data(grains)
             self.liggghts(self.script(f"{PLATE}\nrun 10000\nrun 10000", dt=2e-7, pair="",
-                                      processors="2 2 1" if ranks == 4 else "* 1 1"), ranks)
+                                      processors="2 2 1" if ranks == 4 else "* 1 1",
+                                      sort="0 0" if ranks == 1 else "10 0.001"), ranks)
             table, events = self.table(), self.events()
             self.assertEqual([table[f"ring{i}"]["collisions"] for i in range(1, 6)], count)
             self.assertEqual(table["all"]["collisions"], sum(count))

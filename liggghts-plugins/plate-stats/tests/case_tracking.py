@@ -75,7 +75,7 @@ class Tracking(PlateCase):
         for ranks in (1, 2):
             self.liggghts(self.script(f"""
                 {PLATE}
-                dump d all custom 1 path.dump id x f_plateStats_p[1]
+                dump d all custom 1 path.dump id x f_force_w[3]
                 neigh_modify every 1 delay 0 check no
                 run 600"""), ranks)
             written.append((self.folder / "events.csv").read_text())

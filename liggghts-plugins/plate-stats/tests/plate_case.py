@@ -12,7 +12,7 @@ YOUNG, POISSON = 5e6, 0.3
 HEAD = """
     plugin load platestatsplugin.so
     atom_style granular
-    atom_modify map array sort 0 0
+    atom_modify map array sort {sort}
     boundary f f f
     newton off
     communicate single vel yes
@@ -63,11 +63,12 @@ class PlateCase(grainjet.Case):
         (self.folder / name).write_text("\n".join(lines) + "\n")
 
     def script(self, body, e=1.0, mu=0.2, dt=1e-7, gravity=0.0, processors="* 1 1",
-               read="read_data grains.data", before="", wall=PLANE, pair=PAIR, young=YOUNG):
+               read="read_data grains.data", before="", wall=PLANE, pair=PAIR, young=YOUNG,
+               sort="0 0"):
         """Input script; pair="" for grains that do not know of each other."""
         material = MATERIAL.format(young=young, poisson=POISSON, e=e, mu=mu, dt=dt, gravity=gravity,
                                    pair=pair)
-        return (HEAD.format(processors=processors) + before + f"\n{read}\n" + material + wall
+        return (HEAD.format(processors=processors, sort=sort) + before + f"\n{read}\n" + material + wall
                 + "\nfix i all nve/sphere\n" + body)
 
     def table(self, name="plate.csv"):
