@@ -45,7 +45,7 @@ def read_dns(folder, name):
     r, y, y_plus, u = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 5]
     bulk = -numpy.trapz(2*r*u, r)
     re_tau = numpy.median(y_plus[1:]/y[1:])
-    return {"y": y, "U": u, "bulk": bulk, "Re": 2*re_tau*bulk}
+    return {"y": y, "y_plus": y_plus, "U": u, "bulk": bulk, "Re": 2*re_tau*bulk}
 
 
 def write(case, model, re, n):
@@ -93,6 +93,28 @@ def solve(work, model, re, n, iterations=4000):
     return evaluate(case, n, re)
 
 
+def draw(panels, path):
+    """U/Ub over r/R above, U+ over y+ below, one column per Reynolds number."""
+    numbers = sorted({re for re, *_ in panels})
+    figure, axes = plt.subplots(2, len(numbers), figsize=(4.5*len(numbers), 7), constrained_layout=True, squeeze=False)
+    for column, number in enumerate(numbers):
+        bulk, wall = axes[:, column]
+        flows = [(n, model, flow) for re, n, model, flow, _ in panels if re == number]
+        dns = next(dns for re, _, _, _, dns in panels if re == number)
+        bulk.plot(1 - dns["y"], dns["U"]/dns["bulk"], "k-", linewidth=1, label="DNS, Yao et al.")
+        wall.semilogx(dns["y_plus"][1:], dns["U"][1:], "k-", linewidth=1)
+        sizes = sorted({n for n, *_ in flows}, reverse=True)
+        for n, model, flow in flows:
+            style = {"linestyle": "none", "markersize": 4, "marker": "os^"[sizes.index(n)], "markerfacecolor": "none",
+                     "color": "C0" if model == MODELS[0] else "C3"}
+            bulk.plot(1 - flow["y"], flow["U"]/UB, label=f"{model}, $y^+$ {flow['y_plus']:.0f}", **style)
+            wall.semilogx(flow["y"]*flow["y_plus"]/flow["y"][-1], flow["U"]/flow["u_tau"], **style)
+        bulk.set(xlabel="$r/R$", ylabel="$U/U_b$", title=f"Re {number}", ylim=(0, None), xlim=(0, 1))
+        wall.set(xlabel="$y^+$", ylabel="$U^+$", xlim=(1, None), ylim=(0, None))
+        bulk.legend(fontsize=7)
+    figure.savefig(path, dpi=150)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("work", type=pathlib.Path)
@@ -125,19 +147,7 @@ def main():
                         "axis velocity/Ub", "the same, DNS", "rms deviation of U/Ub from DNS, %"))
         table.writerows(rows)
     if panels:
-        numbers = sorted({re for re, *_ in panels})
-        figure, axes = plt.subplots(1, len(numbers), figsize=(4.5*len(numbers), 3.8), constrained_layout=True, squeeze=False)
-        for re, n, model, flow, dns in panels:
-            panel = axes[0][numbers.index(re)]
-            sizes = sorted({m for number, m, *_ in panels if number == re}, reverse=True)
-            if model == MODELS[0] and n == sizes[0]:
-                panel.plot(1 - dns["y"], dns["U"]/dns["bulk"], "k-", linewidth=1, label="DNS, Yao et al.")
-            panel.plot(1 - flow["y"], flow["U"]/UB, linestyle="none", markersize=4, marker="os^"[sizes.index(n)],
-                       color="C0" if model == MODELS[0] else "C3", markerfacecolor="none",
-                       label=f"{model}, $y^+$ {flow['y_plus']:.0f}")
-            panel.set(xlabel="$r/R$", ylabel="$U/U_b$", title=f"Re {re}", ylim=(0, None), xlim=(0, 1))
-            panel.legend(fontsize=7)
-        figure.savefig(results/"pipe.png", dpi=150)
+        draw(panels, results/"pipe.png")
 
 
 if __name__ == "__main__":

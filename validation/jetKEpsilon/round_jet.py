@@ -7,7 +7,7 @@
     round_jet.py <work folder> [--reference <folder>] [--iterations 4000] [--coarse]
 
 Top-hat jet of Re 1e5 into still air, 100 diameters long. Writes results/round_jet.csv (spreading rate, decay
-constant, share of the momentum that is kept) and results/round_jet.png; profiles of Panchapakesan & Lumley (1993)
+constant, turbulence on the axis, momentum as a check) and results/round_jet.png; profiles of Panchapakesan & Lumley (1993)
 are drawn with them if <folder>/round_jet_single_phase/panchapakesan_lumley_1993_air_jet.csv exists.
 """
 
@@ -25,9 +25,11 @@ import foam_case as foam
 LENGTH, RE = 100, 1e5            # D, U = 1, D = 1
 RADII = (0.5, 45), (10, 45)      # of the blocks' outer edges at x = 0 and at the end
 FIT = (50, 90)                   # x/D
-MEASURED = {                     # spreading rate, decay constant
-    "Hussein, Capp & George 1994": (0.094, 5.8),
-    "Panchapakesan & Lumley 1993": (0.096, 6.06),
+NEAR = (10, 15, 20)              # x/D
+MEASURED = {                     # spreading rate, decay constant, k/Uc^2 on the axis, axis velocity
+    "Hussein, Capp & George 1994": (0.094, 5.8, "", *3*("",)),
+    "Panchapakesan & Lumley 1993": (0.096, 6.06, 0.064, *3*("",)),
+    "Bridges & Wernet 2011, Mach 0.51": ("", "", "", 0.774, 0.518, 0.383),
 }
 
 
@@ -73,7 +75,8 @@ def half_radius(r, u):
 
 
 def evaluate(flow):
-    """Spreading rate, decay constant, momentum at x/D = 70 over that at the inlet, and profiles there."""
+    """Spreading rate, decay constant, momentum at x/D = 70 over that at the inlet, velocity on the axis at
+    NEAR, and profiles at x/D = 70."""
     x = flow["x"][:, 0]
     axis = flow["U"][:, 0]
     half = numpy.array([half_radius(r, u) for r, u in zip(flow["r"], flow["U"])])
@@ -86,7 +89,8 @@ def evaluate(flow):
     jet = r < 3*half[at]          # not the slow air far outside
     momentum = (u**2*(edges[1:]**2 - edges[:-1]**2))[jet].sum()/0.25
     profile = {"r": r/half[at], "U": u/u[0], "k": flow["k"][at]/u[0]**2}
-    return spreading, 1/slope, momentum, profile
+    near = numpy.interp(NEAR, x, axis)
+    return spreading, 1/slope, momentum, near, profile
 
 
 def main():
@@ -107,16 +111,19 @@ def main():
             # Pope's term can destroy epsilon in the unphysical flow of the first iterations
             foam.solve(case, args.iterations,
                        args.work/folder.format("standard") if model == "Pope" else None)
-        spreading, decay, momentum, profiles[model] = evaluate(foam.structured(case, cells[1], cells[0]))
-        rows.append((model, cells[0]*sum(cells[1]), f"{spreading:.4f}", f"{decay:.3f}", f"{momentum:.3f}"))
+        spreading, decay, momentum, near, profiles[model] = evaluate(foam.structured(case, cells[1], cells[0]))
+        rows.append((model, cells[0]*sum(cells[1]), f"{spreading:.4f}", f"{decay:.3f}", f"{profiles[model]['k'][0]:.3f}", *(f"{u:.3f}" for u in near), f"{momentum:.3f}"))
         print(*rows[-1], flush=True)
 
     results = pathlib.Path(__file__).parent/"results"
     with (results/f"round_jet{'_coarse' if args.coarse else ''}.csv").open("w", newline="") as output:
         table = csv.writer(output)
-        table.writerow(("case", "cells", "spreading rate dr_half/dx", "decay constant B", "momentum kept at 70D"))
+        table.writerow(("case", "cells", "spreading rate dr_half/dx", "decay constant B", "k/Uc^2 on the axis",
+                        *(f"Uc at {x}D" for x in NEAR), "momentum at 70D/inlet"))
         table.writerows(rows)
         table.writerows((name, "", *values, "") for name, values in MEASURED.items())
+    if args.coarse:
+        return
 
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.8), constrained_layout=True)
     for model, profile in profiles.items():
@@ -135,7 +142,7 @@ def main():
         panel.set(xlabel="$r/r_{1/2}$", ylabel=label, xlim=(0, 3), ylim=(0, None))
         panel.grid(alpha=0.3)
     axes[0].legend(fontsize=8)
-    figure.savefig(results/f"round_jet{'_coarse' if args.coarse else ''}.png", dpi=150)
+    figure.savefig(results/"round_jet.png", dpi=150)
 
 
 if __name__ == "__main__":
