@@ -65,10 +65,10 @@ void Foam::functionObjects::particleSamplingPlanes::book
     ringStatistics::crossing c;
     c.forward = after > before;
     c.nParticle = now.nParticle[parceli];
-    c.mass = now.mass[parceli];
+    c.mass = view_->mass(parceli);
     c.speedOverStep = mag(way & frame_.axis())/deltaT;
 
-    const label sizei = sizeClass(now.diameter[parceli]);
+    const label sizei = sizeClass(view_->diameter(parceli));
 
     forAll(positions_, planei)
     {
@@ -123,11 +123,17 @@ void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
     const bool watch = view_->wantsWatch();
     DynamicList<label> toWatch;
 
+    // Neighbours in the list are mostly neighbours in space
+    gap here(gapAt(0));
+
     forAll(start, i)
     {
         const scalar before = frame_.axial(start[i]);
         const scalar after = frame_.axial(now.position[i]);
-        const gap here(gapAt(after));
+        if (!here.contains(after))
+        {
+            here = gapAt(after);
+        }
 
         if (mag(after - before) > longest)
         {

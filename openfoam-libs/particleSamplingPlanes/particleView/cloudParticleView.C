@@ -6,7 +6,6 @@
 
 #include "cloudParticleView.H"
 #include "IOField.H"
-#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -98,15 +97,8 @@ bool Foam::cloudParticleView::readCloud(List<scalar>& age)
         now_.nParticle = 1;
     }
 
-    now_.diameter = take<scalar>(published, "d");
-    now_.mass = take<scalar>(published, "rho");
-    forAll(now_.mass, i)
-    {
-        scalar& d = now_.diameter[i];
-        d = particleDiameter(d, now_.nParticle[i]);
-        now_.mass[i] *=
-            now_.nParticle[i]*constant::mathematical::pi/6*pow3(d);
-    }
+    now_.d = take<scalar>(published, "d");
+    now_.rho = take<scalar>(published, "rho");
 
     if (needsPositionOld() || published.found("positionOld"))
     {
@@ -119,18 +111,6 @@ bool Foam::cloudParticleView::readCloud(List<scalar>& age)
         age = take<scalar>(published, "age");
     }
     return false;
-}
-
-
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::cloudParticleView::particleDiameter
-(
-    const scalar d,
-    const scalar
-) const
-{
-    return d;
 }
 
 

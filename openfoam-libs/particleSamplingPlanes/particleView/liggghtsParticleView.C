@@ -16,18 +16,6 @@ namespace Foam
 }
 
 
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::liggghtsParticleView::particleDiameter
-(
-    const scalar d,
-    const scalar nParticle
-) const
-{
-    return d/cbrt(nParticle);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::liggghtsParticleView::liggghtsParticleView
@@ -38,6 +26,14 @@ Foam::liggghtsParticleView::liggghtsParticleView
 :
     cloudParticleView(mesh, cloudName)
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::liggghtsParticleView::diameter(const label i) const
+{
+    return now_.d[i]/cbrt(now_.nParticle[i]);
+}
 
 
 // ************************************************************************* //

@@ -18,8 +18,8 @@ Foam::particleState Foam::particleState::subset
     part.position = UIndirectList<point>(position, indices);
     part.U = UIndirectList<vector>(U, indices);
     part.nParticle = UIndirectList<scalar>(nParticle, indices);
-    part.mass = UIndirectList<scalar>(mass, indices);
-    part.diameter = UIndirectList<scalar>(diameter, indices);
+    part.d = UIndirectList<scalar>(d, indices);
+    part.rho = UIndirectList<scalar>(rho, indices);
     part.origProc = UIndirectList<label>(origProc, indices);
     part.origId = UIndirectList<label>(origId, indices);
     return part;
@@ -31,8 +31,8 @@ void Foam::particleState::append(const particleState& other)
     position.append(other.position);
     U.append(other.U);
     nParticle.append(other.nParticle);
-    mass.append(other.mass);
-    diameter.append(other.diameter);
+    d.append(other.d);
+    rho.append(other.rho);
     origProc.append(other.origProc);
     origId.append(other.origId);
 }
@@ -67,8 +67,8 @@ void Foam::particleState::flyOn(const scalar deltaT, const boundBox& bounds)
 
 Foam::Istream& Foam::operator>>(Istream& is, particleState& state)
 {
-    is  >> state.position >> state.U >> state.nParticle >> state.mass
-        >> state.diameter >> state.origProc >> state.origId;
+    is  >> state.position >> state.U >> state.nParticle >> state.d
+        >> state.rho >> state.origProc >> state.origId;
 
     is.check(FUNCTION_NAME);
     return is;
@@ -77,8 +77,8 @@ Foam::Istream& Foam::operator>>(Istream& is, particleState& state)
 
 Foam::Ostream& Foam::operator<<(Ostream& os, const particleState& state)
 {
-    os  << state.position << state.U << state.nParticle << state.mass
-        << state.diameter << state.origProc << state.origId;
+    os  << state.position << state.U << state.nParticle << state.d
+        << state.rho << state.origProc << state.origId;
 
     os.check(FUNCTION_NAME);
     return os;

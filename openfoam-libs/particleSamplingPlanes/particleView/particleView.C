@@ -6,6 +6,7 @@
 
 #include "particleView.H"
 #include "cloudParticleView.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -44,6 +45,16 @@ Foam::autoPtr<Foam::particleView> Foam::particleView::New
     }
 
     return autoPtr<particleView>(new cloudParticleView(mesh, cloudName));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::particleView::mass(const label i) const
+{
+    return
+        now_.nParticle[i]*now_.rho[i]
+       *constant::mathematical::pi/6*pow3(diameter(i));
 }
 
 

@@ -2,6 +2,7 @@
 
 # processors: 2
 
+import math
 import pathlib
 import random
 import sys
@@ -93,6 +94,8 @@ class Massflow(grainjet.Case):
             # columns of the events: time x/D direction origProc origId x y z axial radial ...
             ours = sorted((e[1], e[2], e[4], e[0], *e[5:8], e[8]) for e in events)
             self.assertGreater(len(theirs), 100)
+            numpy.testing.assert_allclose(events[:, 11], 1)                      # f_cg = 1
+            numpy.testing.assert_allclose(events[:, 12], 2500*math.pi/6*GRAIN**3, rtol=1e-9)
             self.assertEqual([row[:3] for row in theirs], [row[:3] for row in ours])
             for their, our in zip(theirs, ours):
                 # LIGGGHTS notes the first DEM step behind the plane and prints 4 digits;
