@@ -20,6 +20,7 @@ def environment():
         check=True, stdout=subprocess.PIPE).stdout.decode()
     env = dict(item.split("=", 1) for item in printed.split("\0") if "=" in item)
     env["OMPI_MCA_rmaps_base_oversubscribe"] = "1"   # more ranks than cores is a normal test
+    env["OMPI_MCA_mpi_yield_when_idle"] = "1"        # and waiting ranks let the others work
     env["OMPI_MCA_btl_vader_single_copy_mechanism"] = "none"
     return env
 

@@ -132,6 +132,7 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
     previousSeconds_(0),
     sumToGrains_(Zero),
     sumToFluid_(Zero),
+    owedBefore_(Zero),
     sumExchanged_(0),
     latestToGrains_(Zero)
 {
@@ -149,7 +150,8 @@ void Foam::couplingLog::write(const step& values)
     const Time& time = mesh_.time();
     const scalar now = clock_.elapsedTime();
 
-    if (startSeconds_ < 0)
+    const bool first = (startSeconds_ < 0);
+    if (first)
     {
         startSeconds_ = now - values.demSeconds - values.couplingSeconds;
         startTime_ = time.value() - time.deltaTValue();
@@ -174,6 +176,10 @@ void Foam::couplingLog::write(const step& values)
     const vector toGrains = returnReduce(values.toGrains, sumOp<vector>());
     const vector toFluid = returnReduce(values.toFluid, sumOp<vector>());
     const vector owed = returnReduce(values.owed, sumOp<vector>());
+    if (first)
+    {
+        owedBefore_ = owed;
+    }
 
     // The fluid's part of a step is known once the step is over
     sumToGrains_ += latestToGrains_;
@@ -183,7 +189,7 @@ void Foam::couplingLog::write(const step& values)
 
     const scalar imbalance =
         twoWay_ && sumExchanged_ > 0
-      ? mag(sumToGrains_ + sumToFluid_ + owed)/sumExchanged_
+      ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
       : 0;
 
     const scalar left = values.counts.inserted - values.counts.present;

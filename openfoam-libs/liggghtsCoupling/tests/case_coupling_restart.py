@@ -48,6 +48,10 @@ class Restart(grainjet.Case):
         self.end_at(parts, 40)
         result = self.foam("pimpleFoam", parts, ranks)
         self.assertIn("300 continued grains", result.output)
+        # what the first run still owed the fluid is not taken for an imbalance
+        balance = box.read_balance(parts, "0.002")
+        self.assertEqual(len(balance["Time"]), 20)
+        self.assertLess(max(balance["imbalance"]), 1e-10)
         return whole, parts
 
     def test_serial_bit_for_bit(self):

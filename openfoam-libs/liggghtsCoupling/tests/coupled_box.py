@@ -184,9 +184,9 @@ def read_dump(path):
     return {int(row[0]): [float(c) for c in row[1:]] for row in rows}
 
 
-def read_balance(folder):
-    """The columns of balance.dat: {name: [values]}."""
-    path = pathlib.Path(folder) / "postProcessing/liggghtsCoupling/0/balance.dat"
+def read_balance(folder, start="0"):
+    """The columns of balance.dat of the run that began at a time: {name: [values]}."""
+    path = pathlib.Path(folder) / f"postProcessing/liggghtsCoupling/{start}/balance.dat"
     lines = path.read_text().splitlines()
     names = [line for line in lines if line.startswith("#")][-1].lstrip("# ").split()
     rows = [[float(c) for c in line.split()] for line in lines if not line.startswith("#")]
