@@ -46,6 +46,7 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
         + "; let one fix fluid/force act on all grains that feel the fluid");
   if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
   if (domain->dimension != 3) arguments.fail("requires a 3d simulation");
+  if (coupled_ && domain->triclinic) arguments.fail("coupled requires an orthogonal box");
   if (strcmp(update->unit_style, "si") != 0) arguments.fail("requires units si");
 
   create_attribute = coupled_ ? 1 : 0;

@@ -13,7 +13,7 @@ SCRIPT = """
     newton off
     communicate single vel yes
     units {units}
-    region box block -1 1 -1 1 -1 1 units box
+    region box {box} units box
     create_box 1 box
     neighbor 0.1 bin
     timestep 1e-5
@@ -28,9 +28,11 @@ AIR = "density 1.2 viscosity 1.5e-5"
 
 class BadInput(grainjet.Case):
 
-    def refused(self, fixes, *words, ranks=0, style="granular", units="si"):
-        result = self.liggghts(SCRIPT.format(fixes=fixes, style=style, units=units), ranks,
-                               check=False)
+    def script(self, fixes, style="granular", units="si", box="block -1 1 -1 1 -1 1"):
+        return SCRIPT.format(fixes=fixes, style=style, units=units, box=box)
+
+    def refused(self, fixes, *words, ranks=0, **changes):
+        result = self.liggghts(self.script(fixes, **changes), ranks, check=False)
         self.assertFails(result, "fluid/force", *words)
         self.assertEqual(result.output.count("ERROR"), 1, result)
 
@@ -71,6 +73,8 @@ class BadInput(grainjet.Case):
                 self.refused(fixes, *words)
         self.refused(good, "units si", units="cgs")
         self.refused(good, "granular", style="atomic")
+        self.refused("fix f all fluid/force coupled", "orthogonal",
+                     box="prism -1 1 -1 1 -1 1 0.1 0 0")
 
     def test_on_two_ranks(self):
         """One message, all ranks end, no hang."""
@@ -80,7 +84,7 @@ class BadInput(grainjet.Case):
     def test_unfix_and_again(self):
         """unfix takes the per-grain state away; the fix can be defined anew, and redefined."""
         good = f"fix f all fluid/force uniform 1 0 0 {AIR}"
-        self.liggghts(SCRIPT.format(style="granular", units="si", fixes=f"""
+        self.liggghts(self.script(f"""
             {good}
             unfix f
             {good} rotation yes
