@@ -10,7 +10,7 @@ Pair style and walls are stock.
 
     validation/benchmarks/plate_stats/run.py [--pairs N] [--only name]
 
-writes results/<name>.csv and prints a table. Takes about 4 minutes on one core.
+writes results/<name>.csv and prints a table. Takes about 6 minutes on one quiet core.
 """
 
 import argparse
