@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The power-law inlet of docs/theory-turbulence.md as stock exprFixedValue: serial, parallel, after a restart."""
 
 # processors: 2

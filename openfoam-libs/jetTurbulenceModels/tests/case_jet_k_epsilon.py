@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """jetKEpsilon in stock pimpleFoam: equal to kEpsilon where it must be, and exact in homogeneous turbulence."""
 
 # processors: 2

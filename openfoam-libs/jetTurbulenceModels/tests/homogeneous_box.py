@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A one-cell box with a frozen, uniform velocity gradient in stock pimpleFoam.
 
 With no gradients of k and epsilon the turbulence model reduces to its two source

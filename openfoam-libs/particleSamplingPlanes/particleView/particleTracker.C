@@ -166,7 +166,8 @@ Foam::particleState Foam::particleTracker::matchElsewhere
             continue;
         }
 
-        boolList known(asked[proci].size(), false);
+        boolList known;
+        known.setSize(asked[proci].size(), false);
         DynamicList<point> places;
         forAll(known, k)
         {

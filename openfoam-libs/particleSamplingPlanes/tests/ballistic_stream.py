@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Parcels that fly straight on through a box, in stock icoUncoupledKinematicParcelFoam.
 
 Without forces each parcel keeps the velocity of its injector, so that time and place of

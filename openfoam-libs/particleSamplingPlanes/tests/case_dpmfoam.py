@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Both libraries in stock DPMFoam: phase-weighted jetKEpsilon, and sampling of its cloud."""
 
 import unittest

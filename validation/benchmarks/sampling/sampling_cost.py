@@ -6,12 +6,11 @@
 
     sampling_cost.py <work folder> [--grains 100000] [--steps 40] [--cells 20]
 
-A periodic box of 80 um grains, solid fraction 4e-4, that fall through air; 10 DEM steps per fluid step. OpenFOAM's
+A periodic box of 20 mm x 20 mm x 40 mm with 80 um grains that fly through air; 10 DEM steps per fluid step. OpenFOAM's
 profiling gives the time of the function object and of the whole run; the start-up of the first steps is left out.
 """
 
 import argparse
-import math
 import pathlib
 import re
 import subprocess
@@ -21,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT/"openfoam-libs/liggghtsCoupling/tests"))
 import coupled_box as box
 
-DIAMETER, FRACTION = 80e-6, 4e-4
+DIAMETER = 80e-6      # m
 
 SAMPLING = """
 profiles
@@ -60,7 +59,6 @@ def main():
     parser.add_argument("--cells", type=int, default=20, help="along the short sides of the box")
     args = parser.parse_args()
 
-    # 20 mm x 20 mm x 40 mm would hold 24,000 grains at this fraction: the fraction is scaled instead
     args.work.mkdir(parents=True, exist_ok=True)
     box.write(args.work, steps=args.steps, delta_t=1e-5, functions=SAMPLING, write_every=args.steps//2,
               cells=f"{args.cells} {args.cells} {2*args.cells}", control="profiling { active true; }")
