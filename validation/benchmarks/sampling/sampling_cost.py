@@ -4,9 +4,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cost of particleSamplingPlanes per step: 100,000 grains through 12 planes, coupled to LIGGGHTS.
 
-    sampling_cost.py <work folder> [--grains 100000] [--steps 40] [--cells 20]
+    sampling_cost.py <work folder> [--grains 100000] [--steps 40] [--cells 20] [--interval 10]
 
-A periodic box of 20 mm x 20 mm x 40 mm with 80 um grains that fly through air; 10 DEM steps per fluid step. OpenFOAM's
+A periodic box of 20 mm x 20 mm x 40 mm with 80 um grains that fly through air; --interval DEM steps of 1e-6 s per fluid step. OpenFOAM's
 profiling gives the time of the function object and of the whole run; the start-up of the first steps is left out.
 """
 
@@ -38,10 +38,10 @@ def run(folder, *command):
                        cwd=folder, stdout=output, stderr=subprocess.STDOUT, check=True)
 
 
-def profile(folder, steps):
+def profile(folder, steps, delta_t):
     """Seconds of the function object and of the run after the first half of the steps."""
     def at(step):
-        text = next((folder/f"{step*1e-5:.10g}"/"uniform").glob("profiling")).read_text()
+        text = next((folder/f"{step*delta_t:.10g}"/"uniform").glob("profiling")).read_text()
         found = {}
         for description, total in re.findall(r'description\s+"?([^";]+)"?;.*?totalTime\s+([\d.eE+-]+);', text, re.DOTALL):
             found[description.strip()] = float(total)
@@ -57,10 +57,12 @@ def main():
     parser.add_argument("--grains", type=int, default=100000)
     parser.add_argument("--steps", type=int, default=40)
     parser.add_argument("--cells", type=int, default=20, help="along the short sides of the box")
+    parser.add_argument("--interval", type=int, default=10, help="DEM steps per fluid step")
     args = parser.parse_args()
+    delta_t = args.interval*1e-6
 
     args.work.mkdir(parents=True, exist_ok=True)
-    box.write(args.work, steps=args.steps, delta_t=1e-5, functions=SAMPLING, write_every=args.steps//2,
+    box.write(args.work, steps=args.steps, delta_t=delta_t, functions=SAMPLING, write_every=args.steps//2,
               cells=f"{args.cells} {args.cells} {2*args.cells}", control="profiling { active true; }")
     region = ("region inside block 0.0005 0.0195 0.0005 0.0195 0.0005 0.0395 units box\n"
               f"fix beads all particletemplate/sphere 15485863 atom_type 1 density constant 2950 radius constant {DIAMETER/2} volume_limit 1e-16\n"
@@ -71,10 +73,10 @@ def main():
     path = args.work/"constant/in.particles"
     path.write_text(path.read_text().replace("neighbor 0.0005 bin", "neighbor 0.0003 bin")
                     .replace("binsize 0.002", "binsize 0.0004").replace("sort 0 0", "sort 100 0.0005"))
-    box.fv_options(args.work)
+    box.fv_options(args.work, couplingInterval=args.interval)
     run(args.work, "blockMesh")
     run(args.work, "pimpleFoam")
-    sampling, whole = profile(args.work, args.steps)
+    sampling, whole = profile(args.work, args.steps, delta_t)
     steps = args.steps - args.steps//2
     print(f"{args.grains} grains, {2*args.cells**3} cells, 12 planes: sampling {1e3*sampling/steps:.2f} ms of "
           f"{1e3*whole/steps:.1f} ms per step, {100*sampling/whole:.2f} %")
