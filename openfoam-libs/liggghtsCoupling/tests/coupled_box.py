@@ -1,7 +1,7 @@
 """A small box of fluid with grains: the case that the tests of the coupling run.
 
 The box is 20 mm x 20 mm x 40 mm, 10 x 10 x 20 cells, periodic in all directions unless
-walls are asked for; laminar, so that nothing hides what the grains do.
+walls or a flow through are asked for; laminar, so that nothing hides what the grains do.
 """
 
 import pathlib
@@ -92,8 +92,9 @@ def fv_options(folder, text="", **entries):
 def write(folder, *, velocity="(0 0 0)", walls=False, delta_t=1e-4, steps=20, write_every=None,
           rho="rho [1 -3 0 0 0 0 0] 1.2;", nu=1.5e-5, functions="", control="", correctors="",
           libs='("libliggghtsCoupling.so")', decomposition="(1 1 2)", ranks=2,
-          cells="10 10 20"):
-    """Write the fluid side of the case."""
+          cells="10 10 20", size=(20, 20, 40), through=False, convection="linear"):
+    """Write the fluid side of the case; size in mm. through: the fluid enters at zlo with the given
+    velocity and leaves at zhi."""
     folder = pathlib.Path(folder)
     for part in ("system", "constant", "0"):
         (folder / part).mkdir(parents=True, exist_ok=True)
@@ -104,13 +105,18 @@ def write(folder, *, velocity="(0 0 0)", walls=False, delta_t=1e-4, steps=20, wr
     faces = {"xlo": "(0 4 7 3)", "xhi": "(1 2 6 5)", "ylo": "(0 1 5 4)",
              "yhi": "(3 7 6 2)", "zlo": "(0 3 2 1)", "zhi": "(4 5 6 7)"}
     other = {"lo": "hi", "hi": "lo"}
-    patches = "".join(
-        f"{name} {{ type {'wall' if walls else 'cyclic'};"
-        + ("" if walls else f" neighbourPatch {name[0]}{other[name[1:]]};")
-        + f" faces ({face}); }}\n" for name, face in faces.items())
+
+    def kind(name):
+        if through and name[0] == "z":
+            return "patch"
+        return "wall" if walls else f"cyclic; neighbourPatch {name[0]}{other[name[1:]]}"
+
+    patches = "".join(f"{name} {{ type {kind(name)}; faces ({face}); }}\n"
+                      for name, face in faces.items())
+    x, y, z = size
     put("system/blockMeshDict", "dictionary", f"""
 scale 0.001;
-vertices ((0 0 0) (20 0 0) (20 20 0) (0 20 0) (0 0 40) (20 0 40) (20 20 40) (0 20 40));
+vertices ((0 0 0) ({x} 0 0) ({x} {y} 0) (0 {y} 0) (0 0 {z}) ({x} 0 {z}) ({x} {y} {z}) (0 {y} {z}));
 blocks (hex (0 1 2 3 4 5 6 7) ({cells}) simpleGrading (1 1 1));
 boundary ({patches});
 """)
@@ -123,13 +129,13 @@ writeFormat ascii; writePrecision 17; timePrecision 10; runTimeModifiable no;
 {control}
 functions {{ {functions} }}
 """)
-    put("system/fvSchemes", "dictionary", """
-ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
-divSchemes { default Gauss linear; }
-laplacianSchemes { default Gauss linear corrected; }
-interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }
+    put("system/fvSchemes", "dictionary", f"""
+ddtSchemes {{ default Euler; }}
+gradSchemes {{ default Gauss linear; }}
+divSchemes {{ default Gauss linear; div(phi,U) Gauss {convection}; }}
+laplacianSchemes {{ default Gauss linear corrected; }}
+interpolationSchemes {{ default linear; }}
+snGradSchemes {{ default corrected; }}
 """)
     put("system/fvSolution", "dictionary", f"""
 solvers
@@ -149,12 +155,14 @@ PIMPLE {{ {correctors or 'nOuterCorrectors 1; nCorrectors 2;'} nNonOrthogonalCor
 
     wall_u = "type noSlip;" if walls else "type cyclic;"
     wall_p = "type zeroGradient;" if walls else "type cyclic;"
+    open_u = f"zlo {{ type fixedValue; value uniform {velocity}; }} zhi {{ type zeroGradient; }}"
+    open_p = "zlo { type zeroGradient; } zhi { type fixedValue; value uniform 0; }"
     put("0/U", "volVectorField",
         f'dimensions [0 1 -1 0 0 0 0]; internalField uniform {velocity};\n'
-        f'boundaryField {{ ".*" {{ {wall_u} }} }}\n')
+        f'boundaryField {{ ".*" {{ {wall_u} }} {open_u if through else ""} }}\n')
     put("0/p", "volScalarField",
         'dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;\n'
-        f'boundaryField {{ ".*" {{ {wall_p} }} }}\n')
+        f'boundaryField {{ ".*" {{ {wall_p} }} {open_p if through else ""} }}\n')
 
 
 def read_internal(path):
