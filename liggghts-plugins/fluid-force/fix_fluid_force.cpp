@@ -33,7 +33,7 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   coupled_(false),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
   fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
-  exchange_(), lost_(lmp, groupbit), doorOpen_(false), held_(lmp),
+  exchange_(), lost_(lmp), doorOpen_(false), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
   parse(narg, arg);

@@ -42,7 +42,7 @@ template struct grainjet::Expose<grainjet::MarkedTags, &FixMassflowMesh::atom_ta
 
 /* ---------------------------------------------------------------------- */
 
-LostGrains::LostGrains(LAMMPS *lmp, int groupbit) : Pointers(lmp), groupbit_(groupbit) {}
+LostGrains::LostGrains(LAMMPS *lmp) : Pointers(lmp) {}
 
 /* ---------------------------------------------------------------------- */
 
@@ -86,8 +86,6 @@ void LostGrains::collect(const FluidForceExchange &state, double halfKick)
 
 void LostGrains::record(int i, const FluidForceExchange &state, double halfKick)
 {
-  if (!(atom->mask[i] & groupbit_)) return;
-
   FluidForceExchange::Lost grain;
   grain.tag = atom->tag[i];
   grain.mass = atom->rmass[i];

@@ -21,13 +21,14 @@ namespace LAMMPS_NS {
 class LostGrains : protected Pointers {
  public:
 
-  LostGrains(class LAMMPS *, int groupbit);
+  explicit LostGrains(class LAMMPS *);
 
   // Moves fix `ifix` to the front of the list of pre_exchange fixes, so that it sees the
   // grains before another fix deletes them. To be called in init() of that fix.
   void act_first(int ifix);
 
-  // Books the leaving grains of the group. halfKick: time (s) during which the grains
+  // Books all leaving grains, also those out of the group, which a coupling counts too.
+  // halfKick: time (s) during which the grains
   // have felt the fluid force since their impulse was last updated.
   void collect(const FluidForceExchange &, double halfKick);
 
@@ -36,7 +37,6 @@ class LostGrains : protected Pointers {
 
  private:
 
-  int groupbit_;
   std::vector<FluidForceExchange::Lost> grains_;
 
   bool outside(const double *) const;

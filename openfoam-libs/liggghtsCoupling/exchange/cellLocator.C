@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellLocator.H"
+#include <memory>
+#include <new>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -12,15 +14,22 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 :
     mesh_(mesh),
     start_(mesh.nCells() + 1),
-    planes_(),
-    tolerance_(1e-9*mesh.bounds().mag()),
+    next_(),
+    store_(),
+    blocks_(nullptr),
     low_(Zero),
     period_(Zero)
 {
+    static_assert
+    (
+        sizeof(point) <= centreSize_*sizeof(facePlane),
+        "no room for the centre"
+    );
+
     const cellList& cells = mesh.cells();
     const labelList& owner = mesh.faceOwner();
     const labelList& neighbour = mesh.faceNeighbour();
-    const vectorField& centre = mesh.faceCentres();
+    const vectorField& faceCentre = mesh.faceCentres();
     const vectorField& area = mesh.faceAreas();
     const vectorField& cellCentre = mesh.cellCentres();
 
@@ -31,22 +40,39 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
         n += cells[celli].size();
     }
     start_.last() = n;
-    planes_.setSize(n);
+    next_.setSize(n);
 
-    n = 0;
+    const std::size_t cacheLine = 64;
+    const std::size_t size = n + centreSize_*cells.size();
+    std::size_t space = size*sizeof(facePlane) + cacheLine;
+    store_.resize(space/sizeof(facePlane));
+    void* first = store_.data();
+    std::align(cacheLine, size*sizeof(facePlane), first, space);
+    blocks_ = static_cast<facePlane*>(first);
+
     forAll(cells, celli)
     {
+        const point& centre = cellCentre[celli];
+        facePlane* plane = blocks_ + start_[celli] + centreSize_*(celli + 1);
+        new (plane - centreSize_) point(centre);
+
+        label i = start_[celli];
         for (const label facei : cells[celli])
         {
             const bool owned = (owner[facei] == celli);
+            const vector normal =
+                (owned ? 1 : -1)*area[facei]/(mag(area[facei]) + VSMALL);
+            const scalar h = max(normal & (faceCentre[facei] - centre), VSMALL);
 
-            facePlane& plane = planes_[n++];
-            plane.n = (owned ? 1 : -1)*area[facei]/(mag(area[facei]) + VSMALL);
-            plane.d = plane.n & centre[facei];
-            plane.inverseHeight =
-                1/max(plane.d - (plane.n & cellCentre[celli]), VSMALL);
-            plane.face = facei;
-            plane.next =
+            // Normal numbers also for a face through the centre
+            plane->h = max(h, scalar(1e-30));
+            for (direction k = 0; k < 3; ++k)
+            {
+                plane->a[k] = normal[k]/plane->h;
+            }
+            ++plane;
+
+            next_[i++] =
                 !mesh.isInternalFace(facei) ? -1
               : owned ? neighbour[facei] : owner[facei];
         }

@@ -6,7 +6,7 @@
 
 #include "viscousForce.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvcLaplacian.H"
+#include "laplacianScheme.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -17,11 +17,43 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// The correction vectors are unit normals less the direction between cell centres
+bool isOrthogonal(const fvMesh& mesh)
+{
+    const scalar roundOff = 1e-9;
+    return gMax(mag(mesh.nonOrthCorrectionVectors())().primitiveField()) < roundOff;
+}
+
+
+// The case's scheme, without the correction where there is nothing to correct
+tokenList scheme(const fvMesh& mesh, const word& name, const bool orthogonal)
+{
+    const tokenList& stated = mesh.laplacianScheme(name);
+    tokenList words(stated);
+    token& last = words.last();
+    if (orthogonal && last.isWord() && last.wordToken() == "corrected")
+    {
+        last = token(word("uncorrected"));
+    }
+    return words;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 :
-    grainForce(fluid)
+    grainForce(fluid),
+    orthogonal_(isOrthogonal(fluid.mesh()))
 {}
 
 
@@ -29,9 +61,15 @@ Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 
 void Foam::viscousForce::addDensity(volVectorField& density) const
 {
+    const volScalarField nu(fluid_.nu());
+    const volVectorField& U = fluid_.U();
+    const word name("laplacian(" + nu.name() + ',' + U.name() + ')');
+
+    ITstream is(name, scheme(fluid_.mesh(), name, orthogonal_));
     density.primitiveFieldRef() +=
         fluid_.rho()
-       *fvc::laplacian(fluid_.nu(), fluid_.U())().primitiveField();
+       *fv::laplacianScheme<vector, scalar>::New(fluid_.mesh(), is).ref()
+       .fvcLaplacian(nu, U)().primitiveField();
 }
 
 

@@ -109,26 +109,31 @@ void Foam::cellPointSampler::search
 Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
 :
     mesh_(locator.mesh()),
-    corners_(locator.allPlanes().size()),
+    corners_(locator.nFaces()),
     cells_(mesh_.nCells()),
     points_(mesh_.nPoints())
 {
     const faceList& faces = mesh_.faces();
     const labelList& bases = mesh_.tetBasePtIs();
 
-    forAll(corners_, i)
+    forAll(mesh_.cells(), celli)
     {
-        const label facei = locator.allPlanes()[i].face;
-        const face& f = faces[facei];
-        const label base = max(bases[facei], 0);
-
-        FixedList<label, 4>& corners = corners_[i];
-        corners = -1;
-        if (f.size() <= 4)
+        const cell& cellFaces = mesh_.cells()[celli];
+        forAll(cellFaces, i)
         {
-            for (label k = 0; k < 4; ++k)
+            const label facei = cellFaces[i];
+            const face& f = faces[facei];
+            const label base = max(bases[facei], 0);
+
+            FixedList<label, 4>& corners =
+                corners_[locator.firstFace(celli) + i];
+            corners = -1;
+            if (f.size() <= 4)
             {
-                corners[k] = f[(base + min(k, f.size() - 1))%f.size()];
+                for (label k = 0; k < 4; ++k)
+                {
+                    corners[k] = f[(base + min(k, f.size() - 1))%f.size()];
+                }
             }
         }
     }
@@ -176,21 +181,21 @@ void Foam::cellPointSampler::update
 }
 
 
-void Foam::cellPointSampler::soon(const guestGrain& grain) const
+void Foam::cellPointSampler::soon(const label celli, const label pyramid) const
 {
-    if (grain.pyramid >= 0)
+    if (pyramid >= 0)
     {
-        fetch(&corners_[grain.pyramid], sizeof(corners_[0]));
+        fetch(&corners_[pyramid], sizeof(corners_[0]));
     }
-    fetch(&cells_[grain.cell], sizeof(packed));
+    fetch(&cells_[celli], sizeof(packed));
 }
 
 
-void Foam::cellPointSampler::verySoon(const guestGrain& grain) const
+void Foam::cellPointSampler::verySoon(const label pyramid) const
 {
-    if (grain.pyramid >= 0 && corners_[grain.pyramid][0] >= 0)
+    if (pyramid >= 0 && corners_[pyramid][0] >= 0)
     {
-        for (const label pointi : corners_[grain.pyramid])
+        for (const label pointi : corners_[pyramid])
         {
             fetch(&points_[pointi], sizeof(packed));
         }

@@ -41,8 +41,25 @@ void Foam::couplingLog::warn(const scalar maxSolidFraction)
         warned_ = true;
         WarningInFunction
             << "Grains fill " << 100*maxSolidFraction << " % of a cell. The"
-            << " solver's equations hold no void fraction: there they are wrong by"
-            << " about as much. This is said once" << endl;
+            << " solver's equations hold no void fraction: there they are wrong by one"
+            << " to two times as much. This is said once" << endl;
+    }
+}
+
+
+void Foam::couplingLog::miss(const scalar unaccounted)
+{
+    if (!missed_ && mag(unaccounted) > 0.5)
+    {
+        missed_ = true;
+        WarningInFunction
+            << label(mag(unaccounted) + 0.5) << " grains "
+            << (unaccounted > 0 ? "are gone" : "are too many")
+            << ": inserted less left less present is not zero. LIGGGHTS deletes grains"
+            << " without a trace where they are lost between ranks"
+            << " (thermo_modify lost ignore), or by commands of the script other than"
+            << " fix massflow/mesh. Column unaccounted of the table has the number."
+            << " This is said once" << endl;
     }
 }
 
@@ -91,7 +108,7 @@ void Foam::couplingLog::writeTableHeader()
     writeHeader
     (
         os,
-        "present = inserted - left; outside: in no cell; -1: not provided by the script"
+        "unaccounted = inserted - left - present; outside: in no cell; -1: not provided by the script"
     );
     writeHeader
     (
@@ -103,7 +120,7 @@ void Foam::couplingLog::writeTableHeader()
     (
         const char* column :
         {
-            "inserted", "present", "left", "outside", "contacts",
+            "inserted", "present", "left", "unaccounted", "outside", "contacts",
             "maxSolidFraction", "volumeCut", "meanSlip", "Courant",
             "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
             "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
@@ -126,6 +143,8 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
     mesh_(mesh),
     twoWay_(twoWay),
     warned_(false),
+    missed_(false),
+    left_(0),
     clock_(),
     startSeconds_(-1),
     startTime_(0),
@@ -163,7 +182,18 @@ void Foam::couplingLog::write(const step& values)
     const scalar fluidSeconds = all - values.demSeconds - values.couplingSeconds;
     previousSeconds_ = now;
 
-    warn(values.maxSolidFraction);
+    // For the eye, whatever precision the case writes its fields with
+    const int precision = Info().precision(4);
+
+    const scalar maxSolidFraction =
+        returnReduce(values.maxSolidFraction, maxOp<scalar>());
+    const scalar volumeCut = returnReduce(values.volumeCut, sumOp<scalar>());
+    warn(maxSolidFraction);
+
+    left_ += returnReduce(values.left, sumOp<label>());
+    const scalar unaccounted =
+        values.counts.inserted - values.counts.present - left_;
+    miss(unaccounted);
 
     const vector sums = returnReduce
     (
@@ -192,22 +222,19 @@ void Foam::couplingLog::write(const step& values)
       ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
       : 0;
 
-    const scalar left = values.counts.inserted - values.counts.present;
     const scalar done = time.value() - startTime_;
     const scalar secondsLeft =
         (now - startSeconds_)
        *max(time.endTime().value() - time.value(), scalar(0))/max(done, VSMALL);
     const scalar Co = courant();
 
-    // For the eye, whatever precision the case writes its fields with
-    const int precision = Info().precision(4);
     Info<< "liggghtsCoupling: grains " << label(values.counts.present)
         << " (inserted " << label(values.counts.inserted)
-        << ", left " << label(left)
+        << ", left " << label(left_)
         << ", outside mesh " << values.outside
         << ", on another rank " << travelling << "), contacts ";
     printProvided(values.counts.contacts);
-    Info<< ", max solid fraction " << values.maxSolidFraction
+    Info<< ", max solid fraction " << maxSolidFraction
         << ", slip " << slip
         << " m/s, Courant " << Co
         << ", Rayleigh ";
@@ -219,10 +246,10 @@ void Foam::couplingLog::write(const step& values)
         << " % coupling " << label(100*values.couplingSeconds/all + 0.5)
         << " %, left " << label(secondsLeft + 0.5) << " s" << nl;
 
-    if (values.volumeCut > 0)
+    if (volumeCut > 0)
     {
         Info<< "liggghtsCoupling: void fraction at its minimum; solid volume cut "
-            << values.volumeCut << " m3" << nl;
+            << volumeCut << " m3" << nl;
     }
     Info().precision(precision);
 
@@ -230,9 +257,9 @@ void Foam::couplingLog::write(const step& values)
     {
         OFstream& os = file();
         os  << time.value() << tab << values.counts.inserted
-            << tab << values.counts.present << tab << left
+            << tab << values.counts.present << tab << left_ << tab << unaccounted
             << tab << values.outside << tab << values.counts.contacts
-            << tab << values.maxSolidFraction << tab << values.volumeCut
+            << tab << maxSolidFraction << tab << volumeCut
             << tab << slip << tab << Co << tab << values.counts.rayleigh;
         for (const vector& v : {toGrains, toFluid, owed})
         {

@@ -46,7 +46,8 @@ Foam::couplingRestart::couplingRestart
 (
     const fvMesh& mesh,
     liggghtsSession& session,
-    const grainMomentum& momentum
+    const grainMomentum& momentum,
+    couplingLog& log
 )
 :
     regIOobject
@@ -62,7 +63,8 @@ Foam::couplingRestart::couplingRestart
     ),
     mesh_(mesh),
     session_(session),
-    momentum_(momentum)
+    momentum_(momentum),
+    log_(log)
 {
     const IOdictionary former
     (
@@ -81,6 +83,7 @@ Foam::couplingRestart::couplingRestart
     if (former.readIfPresent("inserted", inserted))
     {
         session_.setInserted(inserted);
+        log_.setLeft(former.get<scalar>("left"));
     }
 }
 
@@ -141,6 +144,7 @@ bool Foam::couplingRestart::writeObject
         )
     );
     counters.add("inserted", session_.counts().inserted);
+    counters.add("left", log_.left());
     counters.regIOobject::write();
 
     fileName file(grainFile(time.timePath()));

@@ -140,6 +140,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     shares_(locator_, boxes_),
     log_(mesh, twoWay_),
     timeIndex_(mesh.time().timeIndex()),
+    occupied_(mesh.nCells()),
     forceDensity_
     (
         IOobject("grainForceDensity", mesh.time().timeName(), mesh),
@@ -148,7 +149,6 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         zeroGradientFvPatchVectorField::typeName
     ),
     bodyForce_(Zero),
-    solidVolume_(mesh.nCells(), Zero),
     responseTime_(mesh.nCells(), Zero),
     voidFraction_
     (
@@ -176,6 +176,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         dimensionedVector(dimForce/dimVolume, Zero)
     )
 {
+    checkEntries();
+
     fieldNames_ = wordList(1, fluid_.UName());
     if (twoWay_ && turbulence_)
     {
@@ -232,7 +234,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     }
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
-    guests_->locate();
+    guests_->forget();
+    guests_->locate([](const label, const guestGrain&){});
 
     const scalar present = session_->counts().present;
     if (present > 0 && guests_->outside() == present)
@@ -246,7 +249,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     cloud_.reset(new liggghtsCloud(mesh, session_()));
 
-    restart_.reset(new couplingRestart(mesh, session_(), momentum_()));
+    restart_.reset
+    (
+        new couplingRestart(mesh, session_(), momentum_(), log_)
+    );
 
     Info<< "    LIGGGHTS: " << script_ << ", " << present
         << (grainFile.empty() ? " new" : " continued") << " grains, "
@@ -319,7 +325,15 @@ void Foam::fv::liggghtsCoupling::addSup
 
 bool Foam::fv::liggghtsCoupling::read(const dictionary& dict)
 {
-    return option::read(dict);
+    if (dict != dict_)
+    {
+        dict_ = dict;
+        WarningInFunction
+            << "The entries of " << name() << " in " << dict.name()
+            << " have changed. They are read at the start of a run: this one goes on"
+            << " as it began" << endl;
+    }
+    return false;
 }
 
 

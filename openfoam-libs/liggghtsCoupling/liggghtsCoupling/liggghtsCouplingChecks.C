@@ -15,6 +15,44 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fv::liggghtsCoupling::checkEntries() const
+{
+    const wordHashSet own
+    ({
+        "script", "couplingInterval", "coupling", "voidFraction", "drag", "forces",
+        "interpolation", "formulation", "momentum", "turbulenceSources",
+        "ChenWoodCoeffs", "U", "p", "log"
+    });
+    const wordHashSet ofEveryOption({"type", "active", "libs"});
+
+    const auto check = [](const dictionary& dict, const wordHashSet& known)
+    {
+        for (const entry& e : dict)
+        {
+            if (!known.found(e.keyword()))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown entry " << e.keyword() << " in " << dict.dictName()
+                    << ". Valid: " << known.sortedToc() << exit(FatalIOError);
+            }
+        }
+    };
+
+    // Entries may lie in a sub-dictionary of the option's own name
+    if (&coeffs_ != &dict_ && dict_.found(type() + "Coeffs"))
+    {
+        check(coeffs_, own);
+        check(dict_, ofEveryOption | wordHashSet({type() + "Coeffs"}));
+    }
+    else
+    {
+        check(coeffs_, own | ofEveryOption);
+    }
+    check(coeffs_.subOrEmptyDict("voidFraction"), {"model", "minimum"});
+    check(coeffs_.subOrEmptyDict("ChenWoodCoeffs"), {"B", "Ce", "C3"});
+}
+
+
 void Foam::fv::liggghtsCoupling::checkCase() const
 {
     const Time& time = mesh_.time();

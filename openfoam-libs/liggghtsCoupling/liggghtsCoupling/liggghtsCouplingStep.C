@@ -10,84 +10,78 @@ Description
 
 #include "liggghtsCoupling.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace
-{
-
-// What a guest brings to its cells before the interval
-struct content
-{
-    scalar volume;          // m3
-    scalar mass;            // kg
-    vector momentum;        // kg m/s
-};
-
-// What a guest brings to its cells after the interval
-struct exchanged
-{
-    vector impulse;         // N s, to be taken from the fluid
-    scalar dragCoefficient; // kg/s
-    scalar slope;           // kg/s, d(impulse)/dU/dt
-    scalar mass;            // kg
-};
-
-} // End anonymous namespace
-
-template<> struct is_contiguous<content> : std::true_type {};
-template<> struct is_contiguous<exchanged> : std::true_type {};
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fv::liggghtsCoupling::locateGrains()
+{
+    shares_.clear();
+    guests_->locate
+    (
+        [&](const label g, const guestGrain& guest)
+        {
+            voidFractionModel_->share(g, guest, shares_);
+        }
+    );
+    shares_.settle([&](const label g){ return guests_->cell(g); });
+}
+
 
 void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
 {
-    const UList<guestGrain>& guests = guests_->guests();
+    scalarField& eps = voidFraction_.primitiveFieldRef();
+    vectorField& velocity = particleVelocity_.primitiveFieldRef();
+    const scalarField& V = mesh_.V();
 
-    solidVolume_ = Zero;
-    scalarField mass(mesh_.nCells(), Zero);
-    vectorField& momentum = particleVelocity_.primitiveFieldRef();
-    momentum = Zero;
+    for (const label celli : occupied_.cells())
+    {
+        eps[celli] = 1;
+        velocity[celli] = Zero;
+        dragCoefficient_[celli] = 0;
+        particleMomentumSource_[celli] = Zero;
+        responseTime_[celli] = 0;
+    }
+    occupied_.clear();
+    contents_.clear();
 
-    shares_.deposit<content>
+    shares_.deposit<cellContent>
     (
+        guests_->size(),
+        [&](const label g){ return guests_->cell(g); },
         [&](const label g)
         {
-            const guestGrain& grain = guests[g];
-            return content
+            const guestGrain grain(guests_->guest(g));
+            return cellContent
             {
                 grain.volume(), grain.mass, grain.mass*grain.velocity
             };
         },
-        [&](const label celli, const scalar fraction, const content& c)
+        [&](const label celli, const scalar fraction, const cellContent& c)
         {
-            solidVolume_[celli] += fraction*c.volume;
-            mass[celli] += fraction*c.mass;
-            momentum[celli] += fraction*c.momentum;
+            cellContent& sum = occupied_.sum(contents_, celli);
+            sum.volume += fraction*c.volume;
+            sum.mass += fraction*c.mass;
+            sum.momentum += fraction*c.momentum;
         }
     );
 
-    forAll(mass, celli)
+    forAll(contents_, i)
     {
-        if (mass[celli] > 0)
-        {
-            momentum[celli] /= mass[celli];
-        }
-    }
+        const label celli = occupied_.cells()[i];
+        const cellContent& c = contents_[i];
+        const scalar solid = c.volume/V[celli];
+        scalar cut = 0;
 
-    step.maxSolidFraction = gMax(scalarField(solidVolume_/mesh_.V().field()));
-    step.volumeCut = voidFractionModel_->calculate(solidVolume_, voidFraction_);
+        velocity[celli] = c.momentum/c.mass;
+        eps[celli] = voidFractionModel_->limited(solid, cut);
+        step.volumeCut += cut*V[celli];
+        step.maxSolidFraction = max(step.maxSolidFraction, solid);
+    }
+    voidFraction_.correctBoundaryConditions();
 }
 
 
 void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
 {
-    const UList<guestGrain>& guests = guests_->guests();
-
     forceDensity_.primitiveFieldRef() = Zero;
     for (const grainForce& force : forces_)
     {
@@ -105,17 +99,21 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
     // Far enough ahead for memory to arrive
     const label ahead = 8;
 
-    actions_.setSize(guests.size());
-    forAll(guests, g)
+    const label n = guests_->size();
+    guestGrains::makeRoom(records_, n);
+    guestGrains::makeRoom(force_, setI_ ? 0 : n);
+
+    for (label g = 0; g < n; ++g)
     {
-        if (g + 2*ahead < guests.size())
+        if (g + 2*ahead < n)
         {
-            sampler_->soon(guests[g + 2*ahead]);
-            sampler_->verySoon(guests[g + ahead]);
+            const label far = g + 2*ahead;
+            sampler_->soon(guests_->cell(far), guests_->pyramid(far));
+            sampler_->verySoon(guests_->pyramid(g + ahead));
         }
 
-        const guestGrain& grain = guests[g];
-        const fluidSampler::sample fluid = sampler_->at(grain);
+        const guestGrain grain(guests_->guest(g));
+        const fluidSampler::sample fluid(sampler_->at(grain));
         const scalar volume = grain.volume();
 
         state.voidFraction = fluid.voidFraction;
@@ -123,81 +121,110 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
         state.diameter = grain.particleDiameter();
         state.viscosity = nu[grain.cell];
 
-        fluidAction& action = actions_[g];
-        action.velocity = fluid.U;
-        action.dragCoefficient = drag_(state)*volume;
-        action.force = volume*(fluid.force + bodyForce_);
+        const scalar dragCoefficient = drag_(state)*volume;
+        guests_->give
+        (
+            g,
+            fluidAction
+            {
+                fluid.U, dragCoefficient, volume*(fluid.force + bodyForce_)
+            }
+        );
+        records_.append(guestRecord{dragCoefficient, grain.mass, volume});
+        if (!setI_)
+        {
+            force_.append(volume*fluid.force);
+        }
 
         step.slipSum += state.slipSpeed;
     }
-    step.guests = guests.size();
+    step.guests = n;
+    guests_->send();
 }
 
 
 void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
 {
-    const UList<guestGrain>& guests = guests_->guests();
     const scalar dt = mesh_.time().deltaTValue();
+    const scalarField& V = mesh_.V();
 
-    vector orphaned;
-    guests_->receiveImpulse(impulse_, orphaned);
+    exchanged_.clear();
+    exchanged_.setSize(occupied_.cells().size(), cellExchange{});
+
+    vector departed(Zero);
+    const vector orphaned = guests_->receiveImpulse
+    (
+        impulse_,
+        [&](const label celli, const vector& impulse)
+        {
+            occupied_.sum(exchanged_, celli).impulse += impulse;
+            departed += impulse;
+        }
+    );
 
     // Forces without reaction are no business of the fluid
     if (bodyForce_ != vector::zero)
     {
-        forAll(guests, g)
+        forAll(impulse_, g)
         {
-            impulse_[g] -= dt*guests[g].volume()*bodyForce_;
+            impulse_[g] -= dt*records_[g].volume*bodyForce_;
         }
     }
-    step.toGrains = sum(impulse_) + orphaned;
+    step.toGrains = sum(impulse_) + departed + orphaned;
 
     // SetII: the reaction of forces but drag follows below, from the cells' own fields
-    if (!setI_)
+    forAll(force_, g)
     {
-        forAll(guests, g)
-        {
-            impulse_[g] -=
-                dt*(actions_[g].force - guests[g].volume()*bodyForce_);
-        }
+        impulse_[g] -= dt*force_[g];
     }
 
-    vectorField impulse(mesh_.nCells(), Zero);
-    scalarField slope(mesh_.nCells(), Zero);
-    scalarField& coefficient = dragCoefficient_.primitiveFieldRef();
-    coefficient = Zero;
-    responseTime_ = Zero;
-
-    shares_.deposit<exchanged>
+    shares_.deposit<cellExchange>
     (
+        guests_->size(),
+        [&](const label g){ return guests_->cell(g); },
         [&](const label g)
         {
-            const scalar b = actions_[g].dragCoefficient;
-            const scalar m = guests[g].mass;
-            return exchanged{impulse_[g], b, -m/dt*std::expm1(-b*dt/m), m};
+            const scalar b = records_[g].dragCoefficient;
+            const scalar m = records_[g].mass;
+            return cellExchange{impulse_[g], b, -m/dt*std::expm1(-b*dt/m), m};
         },
-        [&](const label celli, const scalar fraction, const exchanged& e)
+        [&](const label celli, const scalar fraction, const cellExchange& e)
         {
-            impulse[celli] += fraction*e.impulse;
-            coefficient[celli] += fraction*e.dragCoefficient;
-            slope[celli] += fraction*e.slope;
-            responseTime_[celli] += fraction*e.mass;
+            cellExchange& sum = occupied_.sum(exchanged_, celli);
+            sum.impulse += fraction*e.impulse;
+            sum.dragCoefficient += fraction*e.dragCoefficient;
+            sum.slope += fraction*e.slope;
+            sum.mass += fraction*e.mass;
         }
     );
 
+    const labelUList& cells = occupied_.cells();
     if (!setI_)
     {
-        impulse += dt*solidVolume_*forceDensity_.primitiveField();
+        forAll(contents_, i)
+        {
+            exchanged_[i].impulse +=
+                dt*contents_[i].volume*forceDensity_[cells[i]];
+        }
     }
 
-    responseTime_ /= coefficient + VSMALL;
-    coefficient /= mesh_.V().field();
-    particleMomentumSource_.primitiveFieldRef() =
-        -impulse/(dt*mesh_.V().field());
+    vectorField impulse(cells.size());
+    scalarField slope(cells.size());
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        const cellExchange& e = exchanged_[i];
+
+        impulse[i] = e.impulse;
+        slope[i] = e.slope;
+        responseTime_[celli] = e.mass/(e.dragCoefficient + VSMALL);
+        dragCoefficient_[celli] = e.dragCoefficient/V[celli];
+        particleMomentumSource_[celli] = -e.impulse/(dt*V[celli]);
+    }
 
     if (twoWay_)
     {
-        momentum_->set(impulse, slope, dt);
+        momentum_->set(cells, impulse, slope, dt);
     }
 }
 
@@ -215,11 +242,9 @@ void Foam::fv::liggghtsCoupling::advance()
         step.owed = momentum_->owed();
     }
 
-    guests_->locate();
-    voidFractionModel_->distribute(guests_->guests(), shares_);
+    locateGrains();
     fillCells(step);
     evaluateFluid(step);
-    guests_->send(actions_);
 
     const scalar before = clock.elapsedTime();
     session_->advance(interval_);
@@ -228,6 +253,7 @@ void Foam::fv::liggghtsCoupling::advance()
     collectMomentum(step);
 
     step.counts = session_->counts();
+    step.left = guests_->left();
     step.outside = guests_->outside();
     step.travelling = guests_->travelling();
     step.bytes = guests_->bytes() + shares_.bytes();

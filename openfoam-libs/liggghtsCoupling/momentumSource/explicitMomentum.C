@@ -22,7 +22,6 @@ namespace Foam
 Foam::explicitMomentum::explicitMomentum(const carrierFluid& fluid)
 :
     grainMomentum(fluid),
-    wanted_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {}
 
@@ -43,11 +42,13 @@ Foam::vector Foam::explicitMomentum::owed() const
 
 void Foam::explicitMomentum::set
 (
+    const labelUList& cells,
     const vectorField& impulse,
     const scalarField&,
     const scalar dt
 )
 {
+    cells_ = cells;
     wanted_ = -impulse;
     dt_ = dt;
 }
@@ -56,7 +57,11 @@ void Foam::explicitMomentum::set
 void Foam::explicitMomentum::addSup(fvMatrix<vector>& eqn) const
 {
     // fvMatrix keeps (diagonal)*U = source, integrated over cells
-    eqn.source() -= wanted_/dt_/fluid_.rho();
+    vectorField& source = eqn.source();
+    forAll(cells_, i)
+    {
+        source[cells_[i]] -= wanted_[i]/(dt_*fluid_.rho());
+    }
 }
 
 

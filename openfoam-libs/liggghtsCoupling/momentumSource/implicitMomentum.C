@@ -19,9 +19,11 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::vectorField> Foam::implicitMomentum::missing() const
+Foam::vector Foam::implicitMomentum::missing(const cellSource& source) const
 {
-    return slope_*(fluid_.U().primitiveField() - U0_)*dt_;
+    return
+        source.later
+      + source.slope*(fluid_.U()[source.cell] - source.U0)*dt_;
 }
 
 
@@ -30,8 +32,8 @@ Foam::tmp<Foam::vectorField> Foam::implicitMomentum::missing() const
 Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
 :
     grainMomentum(fluid),
-    used_(false),
-    wanted_(fluid.mesh().nCells(), Zero),
+    sources_(),
+    number_(fluid.mesh().nCells(), -1),
     owed_
     (
         IOobject
@@ -45,53 +47,115 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     ),
-    slope_(fluid.mesh().nCells(), Zero),
-    U0_(fluid.mesh().nCells(), Zero),
     dt_(0)
-{}
+{
+    // What a former run has left is owed like the rest of a step of this one
+    forAll(owed_, celli)
+    {
+        if (owed_[celli] != vector::zero)
+        {
+            sources_.append(cellSource{celli, Zero, Zero, 0, Zero});
+        }
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vector Foam::implicitMomentum::close()
 {
-    if (!used_)
+    vector received(Zero);
+
+    // Before the first step nothing has been received, and what is owed stays
+    if (dt_ > 0)
     {
-        return Zero;
+        for (const cellSource& source : sources_)
+        {
+            vector& owed = owed_[source.cell];
+            owed = missing(source);
+            received += source.wanted + source.later - owed;
+        }
     }
-
-    owed_.field() = missing();
-
-    return sum(wanted_) - sum(owed_.field());
+    return received;
 }
 
 
 Foam::vector Foam::implicitMomentum::owed() const
 {
-    return sum(owed_.field());
+    vector sum(Zero);
+    for (const cellSource& source : sources_)
+    {
+        sum += owed_[source.cell];
+    }
+    return sum;
 }
 
 
 void Foam::implicitMomentum::set
 (
+    const labelUList& cells,
     const vectorField& impulse,
     const scalarField& slope,
     const scalar dt
 )
 {
-    used_ = true;
-    wanted_ = owed_.field() - impulse;
-    slope_ = slope;
-    U0_ = fluid_.U().primitiveField();
+    const volVectorField& U = fluid_.U();
+    const scalarField& V = fluid_.mesh().V();
     dt_ = dt;
+
+    DynamicList<label> before(sources_.size());
+    for (const cellSource& source : sources_)
+    {
+        before.append(source.cell);
+    }
+    sources_.clear();
+
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        const scalar kappa = slope[i]*dt/(fluid_.rho()*V[celli]);
+        const vector now(owed_[celli]/(1 + kappa));
+
+        number_[celli] = i;
+        sources_.append
+        (
+            cellSource
+            {
+                celli, now - impulse[i], owed_[celli] - now, slope[i], U[celli]
+            }
+        );
+    }
+
+    // Grains may have left a cell that is owed their momentum
+    for (const label celli : before)
+    {
+        if (number_[celli] < 0 && owed_[celli] != vector::zero)
+        {
+            sources_.append
+            (
+                cellSource{celli, owed_[celli], Zero, 0, U[celli]}
+            );
+        }
+    }
+    for (const label celli : cells)
+    {
+        number_[celli] = -1;
+    }
 }
 
 
 void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
 {
     // fvMatrix keeps (diagonal)*U = source, integrated over cells
-    eqn.diag() -= slope_/fluid_.rho();
-    eqn.source() -= (wanted_/dt_ + slope_*U0_)/fluid_.rho();
+    scalarField& diag = eqn.diag();
+    vectorField& rhs = eqn.source();
+    const scalar rho = fluid_.rho();
+
+    for (const cellSource& source : sources_)
+    {
+        diag[source.cell] -= source.slope/rho;
+        rhs[source.cell] -= (source.wanted/dt_ + source.slope*source.U0)/rho;
+    }
 }
 
 
@@ -110,9 +174,12 @@ void Foam::implicitMomentum::write() const
         ),
         owed_
     );
-    if (used_)
+    if (dt_ > 0)
     {
-        owed.field() = missing();
+        for (const cellSource& source : sources_)
+        {
+            owed[source.cell] = missing(source);
+        }
     }
     owed.write();
 }

@@ -44,6 +44,14 @@ class BadInput(grainjet.Case):
     def test_interval_not_positive(self):
         self.fails("couplingInterval -5", "fvOptions", options={"couplingInterval": "-5"})
 
+    def test_misspelt_entry(self):
+        self.fails("Unknown entry interpoltion", "fvOptions", "interpolation",
+                   options={"interpoltion": "cell"})
+
+    def test_misspelt_entry_of_a_model(self):
+        self.fails("Unknown entry minimm", "fvOptions", "voidFraction", "minimum",
+                   options={"voidFraction": "{ model divided; minimm 0.3; }"})
+
     def test_unknown_coupling(self):
         self.fails("coupling threeWay", "twoWay", "oneWay", options={"coupling": "threeWay"})
 

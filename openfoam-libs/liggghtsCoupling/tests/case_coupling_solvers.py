@@ -3,7 +3,9 @@
 
 import pathlib
 import re
+import subprocess
 import sys
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -137,6 +139,44 @@ class TurbulenceSources(grainjet.Case):
         self.assertGreater(apart, 0)
         self.assertGreater(seen, 0.999 * apart)
         self.assertLess(seen, 1.001 * mixed)
+
+
+class RunningCase(grainjet.Case):
+
+    def test_entries_changed_during_a_run(self):
+        """Entries are read once: a change of fvOptions in a running case is answered in words, once
+        a change, and the grains go on as they began."""
+        folder = self.folder / "changed"
+        box.write(folder, steps=100000, write_every=100000, control="runTimeModifiable yes;\n"
+                  "OptimisationSwitches { fileModificationSkew 0; fileModificationChecking timeStamp; }")
+        x, v = swarm(20, 7)
+        box.script(folder, grains=box.grains(x, v))
+        box.fv_options(folder, **OPTIONS)
+        self.foam("blockMesh", folder)
+        with open(folder / "log", "w") as log:
+            run = subprocess.Popen(["pimpleFoam"], cwd=folder, env=grainjet.ENV, stdout=log,
+                                   stderr=subprocess.STDOUT)
+            try:
+                self.wait_for(folder / "log", "liggghtsCoupling: grains 20")
+                time.sleep(1.1)     # file times may be as coarse as a second
+                box.fv_options(folder, **OPTIONS, drag="Stokes")
+                text = self.wait_for(folder / "log", "have changed")
+                self.assertIn("fvOptions", text)
+                after = text.index("have changed")
+                text = self.wait_for(folder / "log", "liggghtsCoupling: grains 20", after)
+                self.assertEqual(text.count("have changed"), 1)
+            finally:
+                run.kill()
+                run.wait()
+
+    def wait_for(self, path, words, start=0, seconds=60):
+        """The text of a growing file once it holds the words behind a place."""
+        for _ in range(10 * seconds):
+            text = path.read_text()
+            if words in text[start:]:
+                return text
+            time.sleep(0.1)
+        self.fail(f"'{words}' did not come: {text[-2000:]}")
 
 
 if __name__ == "__main__":

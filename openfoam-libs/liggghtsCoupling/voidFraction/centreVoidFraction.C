@@ -16,19 +16,6 @@ namespace Foam
 }
 
 
-// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
-
-void Foam::centreVoidFraction::share
-(
-    const label number,
-    const guestGrain& guest,
-    grainShares& shares
-) const
-{
-    shares.add(number, guest.cell, 1);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::centreVoidFraction::centreVoidFraction

@@ -71,6 +71,30 @@ Foam::FixedList<Foam::vector, Foam::dividedVoidFraction::nParts> makePoints()
     return points;
 }
 
+// How many of the points of a sphere of radius R lie farther along the unit vector n than
+// `distance`, which is not negative. Points come in opposite pairs, one of which lies
+// on the near side.
+Foam::label nBeyond(const Foam::vector& n, const scalar R, const scalar distance)
+{
+    const scalar c = 1/Foam::sqrt(scalar(3));
+    const scalar along[7] =
+    {
+        n.x(), n.y(), n.z(),
+        c*(n.x() + n.y() + n.z()), c*(n.x() + n.y() - n.z()),
+        c*(n.x() - n.y() + n.z()), c*(n.x() - n.y() - n.z())
+    };
+    static const scalar inner = shellRadius(1, 15);
+    const scalar outer = Foam::dividedVoidFraction::outermost();
+
+    Foam::label count = 0;
+    for (const scalar a : along)
+    {
+        const scalar reach = Foam::mag(a)*R;
+        count += (inner*reach > distance) + (outer*reach > distance);
+    }
+    return count;
+}
+
 } // End anonymous namespace
 
 
@@ -91,7 +115,71 @@ Foam::scalar Foam::dividedVoidFraction::outermost()
 }
 
 
-// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::dividedVoidFraction::shareOverFace
+(
+    const label number,
+    const guestGrain& guest,
+    grainShares& shares
+) const
+{
+    const scalar reach = outermost()*guest.radius;
+    const label first = locator_.firstFace(guest.cell);
+    const cellLocator::facePlane* planes = locator_.planes(guest.cell);
+    const vector fromCentre(guest.position - locator_.centre(guest.cell));
+
+    label near = -1;
+    scalar distance = 0;
+    for (label i = 0; i < locator_.nFaces(guest.cell); ++i)
+    {
+        const scalar inside = planes[i].h*planes[i].relative(fromCentre);
+        if (inside < reach)
+        {
+            if (near >= 0)
+            {
+                return false;
+            }
+            near = i;
+            distance = max(inside, scalar(0));
+        }
+    }
+    const label behind = (near < 0 ? -1 : locator_.next(first + near));
+    if (behind < 0)
+    {
+        return false;
+    }
+
+    // The sphere must not reach the other faces of the cell behind either
+    const cellLocator::facePlane* others = locator_.planes(behind);
+    const vector fromBehind(guest.position - locator_.centre(behind));
+    label nShared = 0;
+    for (label i = 0; i < locator_.nFaces(behind); ++i)
+    {
+        const bool shared =
+            locator_.next(locator_.firstFace(behind) + i) == guest.cell;
+        nShared += shared;
+        if (!shared && others[i].h*others[i].relative(fromBehind) < reach)
+        {
+            return false;
+        }
+    }
+    if (nShared != 1)
+    {
+        return false;
+    }
+
+    const label n = nBeyond(planes[near].normal(), guest.radius, distance);
+    if (n > 0)
+    {
+        shares.add(number, guest.cell, scalar(nParts - n)/nParts);
+        shares.add(number, behind, scalar(n)/nParts);
+    }
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dividedVoidFraction::share
 (
@@ -100,32 +188,33 @@ void Foam::dividedVoidFraction::share
     grainShares& shares
 ) const
 {
-    if (guest.clearance >= outermost()*guest.radius)
+    if
+    (
+        guest.clearance >= outermost()*guest.radius
+     || shareOverFace(number, guest, shares)
+    )
     {
-        shares.add(number, guest.cell, 1);
         return;
     }
 
     // Only the faces that the sphere may reach decide which points stay
-    const UList<cellLocator::facePlane> planes(locator_.planes(guest.cell));
+    const cellLocator::facePlane* planes = locator_.planes(guest.cell);
+    const vector fromCentre(guest.position - locator_.centre(guest.cell));
     scalar room[nParts];
     room[0] = 0;
     for (label i = 1; i < nParts; ++i)
     {
         room[i] = VGREAT;
     }
-    for (const cellLocator::facePlane& plane : planes)
+    for (label f = 0; f < locator_.nFaces(guest.cell); ++f)
     {
-        const scalar distance = plane.d - (plane.n & guest.position);
+        const scalar distance = planes[f].h*planes[f].relative(fromCentre);
         if (distance < outermost()*guest.radius)
         {
+            const vector n(planes[f].normal());
             for (label i = 1; i < nParts; ++i)
             {
-                room[i] = min
-                (
-                    room[i],
-                    distance - guest.radius*(plane.n & points()[i])
-                );
+                room[i] = min(room[i], distance - guest.radius*(n & points()[i]));
             }
         }
     }
@@ -151,7 +240,7 @@ void Foam::dividedVoidFraction::share
 
     for (label i = 0; i < nParts; ++i)
     {
-        if (room[i] >= -locator_.tolerance())
+        if (room[i] >= 0)
         {
             count(guest.cell);
             continue;

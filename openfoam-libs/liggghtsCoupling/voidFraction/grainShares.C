@@ -24,6 +24,7 @@ Foam::grainShares::grainShares
 void Foam::grainShares::clear()
 {
     shares_.clear();
+    late_.clear();
     satellites_.clear();
     foreign_.clear();
 }

@@ -29,27 +29,55 @@ void Foam::grainShares::settle(const CellOf& cellOf)
         }
     );
 
+    // Parts of a grain follow each other: what holds one probably holds the next
+    label hint = -1;
     forAll(owner, i)
     {
         if (owner[i] < 0)
         {
             const satellite& item = satellites_[i];
-            const label celli = locator_.find(item.position, -1).cell;
-            add
+            const label start = (hint < 0 ? cellOf(item.guest) : hint);
+            const label celli = locator_.find(item.position, start).cell;
+            hint = (celli < 0 ? hint : celli);
+            late_.append
             (
-                item.guest,
-                celli >= 0 ? celli : cellOf(item.guest),
-                item.fraction
+                share
+                {
+                    item.guest,
+                    celli >= 0 ? celli : cellOf(item.guest),
+                    item.fraction
+                }
             );
         }
     }
 }
 
 
-template<class Type, class Value, class Add>
-void Foam::grainShares::deposit(const Value& value, const Add& add)
+template<class Type, class CellOf, class Value, class Add>
+void Foam::grainShares::deposit
+(
+    const label nGuests,
+    const CellOf& cellOf,
+    const Value& value,
+    const Add& add
+)
 {
-    for (const share& s : shares_)
+    label i = 0;
+    for (label g = 0; g < nGuests; ++g)
+    {
+        const Type whole = value(g);
+        if (i == shares_.size() || shares_[i].guest != g)
+        {
+            add(cellOf(g), scalar(1), whole);
+            continue;
+        }
+        for (; i < shares_.size() && shares_[i].guest == g; ++i)
+        {
+            add(shares_[i].cell, shares_[i].fraction, whole);
+        }
+    }
+
+    for (const share& s : late_)
     {
         add(s.cell, s.fraction, value(s.guest));
     }

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "voidFractionModel.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -61,48 +60,6 @@ Foam::autoPtr<Foam::voidFractionModel> Foam::voidFractionModel::New
     }
 
     return autoPtr<voidFractionModel>(cstrIter()(dict, locator));
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::voidFractionModel::distribute
-(
-    const UList<guestGrain>& guests,
-    grainShares& shares
-) const
-{
-    shares.clear();
-    forAll(guests, g)
-    {
-        share(g, guests[g], shares);
-    }
-    shares.settle([&](const label g){ return guests[g].cell; });
-}
-
-
-Foam::scalar Foam::voidFractionModel::calculate
-(
-    const scalarField& solidVolume,
-    volScalarField& voidFraction
-) const
-{
-    const scalarField& V = voidFraction.mesh().V();
-    scalarField& eps = voidFraction.primitiveFieldRef();
-
-    scalar cut = 0;
-    forAll(eps, celli)
-    {
-        eps[celli] = 1 - solidVolume[celli]/V[celli];
-        if (eps[celli] < minimum_)
-        {
-            cut += (minimum_ - eps[celli])*V[celli];
-            eps[celli] = minimum_;
-        }
-    }
-    voidFraction.correctBoundaryConditions();
-
-    return returnReduce(cut, sumOp<scalar>());
 }
 
 

@@ -3,23 +3,30 @@
 
     overhead = (coupled - fluid - grains)/(fluid + grains)
 
-on the same machine in one go: a periodic box of 37 x 37 x 37 cells of 1 mm with vortices in air at
-8 m/s and grains of 80 um at 6 m/s, `fix hertz/cg`, cellPoint, divided, drag + pressure gradient +
-viscous. Coupled one way: the flow is then bit for bit that of the fluid alone, so that its solver makes
-the same iterations; what a two-way run adds is the sum of the source and its place in the matrix. Each figure is the difference between a long and a short run, so that start-up does not count; the runs of one
-repetition follow each other, and the median of the repetitions is given.
+on the same machine in one go: a periodic box of 37 x 37 x 37 cells of 1 mm with vortices in turbulent
+air (kEpsilon; schemes and linear solvers of cases/quickJet) at 8 m/s and grains of 80 um at 6 m/s, `fix
+hertz/cg`, cellPoint, divided, drag + pressure gradient + viscous. Coupled one way: the flow is then bit
+for bit that of the fluid alone, so that its solver makes the same iterations; --two-way couples it both
+ways. The grains alone run the same script, so that drag is part of them. Each figure is the difference
+between a long and a short run, so that start-up does not count; the runs of one repetition follow each
+other, and the median of the repetitions is given.
+
+--memory measures instead the memory of the coupling per grain: the growth of the largest rank's peak
+with the number of grains, less that of the same grains without fix fluid/force.
 
     source environment; validation/benchmarks/coupling/run.py [--grains 20000 100000] [--ranks 1 2]
-        [--interval 50 10] [--repeat 3] [--output results.md]
+        [--interval 50 10] [--repeat 3] [--two-way | --memory] [--output results.md]
 """
 
 import argparse
 import math
+import os
 import pathlib
 import random
 import resource
 import shutil
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -65,7 +72,24 @@ def write_vortices(folder):
         "uniform (0 0 8)", f"nonuniform List<vector> {len(values)}\n(\n" + "\n".join(values) + "\n)"))
 
 
-def write_case(folder, grains, interval, ranks, steps, coupled):
+def write_turbulence(folder):
+    """kEpsilon with the schemes and linear solvers of the main job."""
+    for name in ("fvSchemes", "fvSolution"):
+        text = (ROOT / "cases/quickJet/system" / name).read_text()
+        (folder / "system" / name).write_text(text.replace(
+            "nOuterCorrectors 1;", "nOuterCorrectors 1; pRefCell 0; pRefValue 0;"))
+    (folder / "constant/turbulenceProperties").write_text(
+        box.HEADER.format("dictionary", "turbulenceProperties")
+        + "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
+    for field, dimensions, value in (("k", "0 2 -2", 0.24), ("epsilon", "0 2 -3", 18.4),
+                                     ("nut", "0 2 -1", 0)):
+        (folder / "0" / field).write_text(
+            box.HEADER.format("volScalarField", field)
+            + f"dimensions [{dimensions} 0 0 0 0]; internalField uniform {value};\n"
+            'boundaryField { ".*" { type cyclic; } }\n')
+
+
+def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False):
     """The case; coupled or the fluid alone, and a script for the grains alone."""
     dt = interval * DEM_STEP
     box.write(folder, steps=steps, delta_t=dt, cells=" ".join([str(CELLS)] * 3),
@@ -79,22 +103,21 @@ def write_case(folder, grains, interval, ranks, steps, coupled):
     start, stop = text.index("vertices"), text.index("blocks")
     mesh.write_text(text[:start] + "vertices (" + " ".join(
         "({:g} {:g} {:g})".format(*c) for c in corners) + ");\n" + text[stop:])
-    solution = folder / "system/fvSolution"
-    solution.write_text(solution.read_text().replace(
-        "solver PCG; preconditioner DIC; tolerance 1e-13",
-        "solver GAMG; smoother GaussSeidel; tolerance 1e-8"))
+    write_turbulence(folder)
     # one script for both: alone it runs by itself
     box.script(folder, grains="", dt=DEM_STEP, plugins=PLUGINS,
                fixes="fix contacts all hertz/cg", processors=f"processors 1 1 {ranks}")
     script = folder / "constant/in.particles"
-    lines = [line for line in script.read_text().splitlines()
-             if not line.startswith(("neigh", "atom_modify"))]
+    # grains in the order of cells from the start, as they are in a run of more than a few steps
+    lines = [line.replace("sort 0 0", "sort 100 0.001")
+             for line in script.read_text().splitlines() if not line.startswith("neigh")]
     script.write_text("\n".join(lines) + "\n")
     (folder / "constant/new.grains").write_text("read_data constant/grains.data\n")
     write_grains(folder, grains)
     write_vortices(folder)
     if coupled:
-        box.fv_options(folder, couplingInterval=interval, coupling="oneWay")
+        box.fv_options(folder, couplingInterval=interval,
+                       coupling="twoWay" if two_way else "oneWay")
     (folder / "in.alone").write_text("\n".join(lines) + f"\nrun {steps * interval}\n")
 
 
@@ -125,20 +148,65 @@ def seconds(kind, folders, ranks):
     return tuple((b - a) / (LONG - SHORT) for a, b in zip(*ends))
 
 
+def peak(command, folder):
+    """Largest resident memory of a rank of a command that must succeed, in bytes."""
+    with open(folder / "log.memory", "w") as log:
+        run = subprocess.Popen([str(c) for c in command], cwd=folder, env=grainjet.ENV,
+                               stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+        _, status, usage = os.wait4(run.pid, 0)
+    if status:
+        raise SystemExit((folder / "log.memory").read_text()[-3000:])
+    return 1024 * usage.ru_maxrss
+
+
+def memory(options, work):
+    """Bytes per grain of the coupling, for each number of ranks."""
+    few, many = min(options.grains), max(options.grains)
+    print("| ranks | grains | coupled: bytes per grain | grains alone | the coupling |\n"
+          "|---|---|---|---|---|", flush=True)
+    for ranks in options.ranks:
+        mpi = grainjet.mpirun(ranks if ranks > 1 else 0)
+        used = {}
+        for grains in (few, many):
+            folder = work / f"memory-{ranks}-{grains}"
+            write_case(folder, grains, 10, ranks, 5, True, options.two_way)
+            measure(["blockMesh"], folder)
+            if ranks > 1:
+                measure(["decomposePar"], folder)
+            alone = (folder / "in.alone").read_text()
+            (folder / "in.alone").write_text("\n".join(
+                line for line in alone.splitlines() if "fluid" not in line) + "\n")
+            used["coupled", grains] = peak(
+                [*mpi, "pimpleFoam", *(["-parallel"] if ranks > 1 else [])], folder)
+            used["alone", grains] = peak(
+                [*mpi, "liggghts-plugins", "-var", "continued", "0", "-in", "in.alone"], folder)
+        # per grain of the rank that is looked at
+        slope = {kind: (used[kind, many] - used[kind, few]) / ((many - few) / ranks)
+                 for kind in ("coupled", "alone")}
+        print(f"| {ranks} | {few} to {many} | {slope['coupled']:.0f} | {slope['alone']:.0f} "
+              f"| {slope['coupled'] - slope['alone']:.0f} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--grains", type=int, nargs="+", default=[20000, 100000])
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--interval", type=int, nargs="+", default=[50, 10])
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--two-way", action="store_true")
+    parser.add_argument("--memory", action="store_true")
     parser.add_argument("--output")
     options = parser.parse_args()
+    work = pathlib.Path(tempfile.mkdtemp(prefix="grainjet-benchmark-"))
+    if options.memory:
+        memory(options, work)
+        shutil.rmtree(work)
+        return
 
     rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead wall % "
             "| overhead processor % | coupling, us per grain and interval (processor) |",
             "|---|---|---|---|---|---|---|---|---|"]
     print("\n".join(rows), flush=True)
-    work = pathlib.Path(tempfile.mkdtemp(prefix="grainjet-benchmark-"))
     for grains in options.grains:
         for ranks in options.ranks:
             for interval in options.interval:
@@ -147,7 +215,8 @@ def main():
                     cases[kind] = []
                     for steps in (SHORT, LONG):
                         folder = work / f"{grains}-{ranks}-{interval}-{kind}-{steps}"
-                        write_case(folder, grains, interval, ranks, steps, kind == "coupled")
+                        write_case(folder, grains, interval, ranks, steps, kind == "coupled",
+                                   options.two_way)
                         measure(["blockMesh"], folder)
                         if ranks > 1:
                             measure(["decomposePar"], folder)
