@@ -55,26 +55,30 @@ def missing(shown, printed):
     return None
 
 
-class Tutorial(grainjet.Case):
+def follow(page, folder):
+    """Does what a page says, beginning in a folder; the folder in which it ends."""
+    here, printed = folder, ""
+    for action, name, content in blocks(page):
+        if action == "edit":
+            (here/name).write_text(edited((here/name).read_text(), content))
+        elif action == "create":
+            if (here/name).exists():
+                raise AssertionError(f"{name} is there already")
+            (here/name).write_text(content)
+        elif action == "shows":
+            line = missing(content, printed)
+            if line is not None:
+                raise AssertionError(f"not printed: {line}\nof\n{content}\nbut\n{printed[-6000:]}")
+        else:
+            ends = folder/"ends"
+            ran = grainjet.run(["bash", "-euc", f"trap 'pwd > {ends}' EXIT\n{content}"], here, env=MPI)
+            if ran.code:
+                raise AssertionError(f"{content}\n{ran}")
+            here, printed = pathlib.Path(ends.read_text().strip()), ran.output
+    return here
 
-    def follow(self, page):
-        """Does what the page says; the folder in which it ends."""
-        here, printed = self.folder, ""
-        for action, name, content in blocks(page):
-            if action == "edit":
-                (here/name).write_text(edited((here/name).read_text(), content))
-            elif action == "create":
-                self.assertFalse((here/name).exists(), name)
-                (here/name).write_text(content)
-            elif action == "shows":
-                line = missing(content, printed)
-                self.assertIsNone(line, f"not printed as shown in\n{content}\nbut\n{printed[-6000:]}")
-            else:
-                ends = self.folder/"ends"
-                ran = grainjet.run(["bash", "-euc", f"trap 'pwd > {ends}' EXIT\n{content}"], here, env=MPI)
-                self.assertEqual(ran.code, 0, f"{content}\n{ran}")
-                here, printed = pathlib.Path(ends.read_text().strip()), ran.output
-        return here
+
+class Tutorial(grainjet.Case):
 
     def test_page(self):
         page = PAGE.read_text()
@@ -83,7 +87,7 @@ class Tutorial(grainjet.Case):
         self.assertEqual(len(re.findall(r"^<!--", page, re.M)), len(blocks(page)))
         self.assertGreater(len(blocks(page)), 10)
 
-        case = self.follow(page)
+        case = follow(page, self.folder)
 
         # the last of it, in parallel, has really run
         profiles = sorted((case/"postProcessing"/"profiles").glob("*/plane_5D.dat"))
