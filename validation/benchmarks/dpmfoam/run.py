@@ -205,7 +205,7 @@ def dpm(job, case, p, steps, ranks, resolution=None):
     parcels = [int(n) for n in re.findall(r"Current number of parcels\s+= (\d+)", run.log)]
     profile = (latest(case/"processor0" if ranks > 1 else case)/"uniform"/"profiling").read_text()
     cloud = re.search(r'"?cloud::solve"?;.*?totalTime\s+([\d.e+-]+)', profile, re.S)
-    row = {"program": "DPMFoam", "ranks": ranks,
+    row = {"program": f"DPMFoam, resolution {resolution:g}" if resolution else "DPMFoam", "ranks": ranks,
            "DEM steps": numpy.mean(cycles) if cycles else 1,
            "grains": numpy.mean(parcels), "run": run, "particles": float(cloud[1])/steps}
     return row, fields.grains_at(case/"postProcessing"/"grains", window), case
@@ -240,7 +240,7 @@ COLUMNS = ["program", "ranks", "DEM steps per fluid step", "grains", "s before f
 def cells(row, rows):
     """One line of the table, in the order of COLUMNS."""
     run, moved = row["run"], row["grains"]*row["DEM steps"]
-    base = next(r for r in rows if r["ranks"] == row["ranks"] and r["program"] != "DPMFoam")
+    base = next(r for r in rows if r["ranks"] == row["ranks"] and not r["program"].startswith("DPMFoam"))
     return [row["program"], str(row["ranks"]), f"{row['DEM steps']:.3g}", f"{row['grains']:.0f}",
             f"{run.start:.1f}", f"{run.step:.3f}", f"{row['particles']:.3f}", f"{run.total:.1f}",
             f"{run.processor:.1f}", f"{1e-6*moved/row['particles']:.3g}",
@@ -280,7 +280,8 @@ def main():
         report(f"main job, {ranks}", main_job(job, work/f"main-{ranks}", p, options.steps, ranks))
         report(f"DPMFoam, {ranks}", dpm(job, work/f"dpm-{ranks}", p, options.steps, ranks))
     if options.resolution and 1 in options.ranks:
-        report("DPMFoam, own steps", dpm(job, work/"dpm-own", p, options.steps, 1, options.resolution))
+        report(f"DPMFoam, resolution {options.resolution:g}",
+               dpm(job, work/"dpm-own", p, options.steps, 1, options.resolution))
 
     heads = ["z/D", *(f"{name}: {what}" for name in ends for what in ("grains", "m/s", "+-"))]
     lines = [[f"{start:g} to {start + SLAB:g}", *(text for end in ends.values() for text in (
