@@ -29,8 +29,14 @@ Foam::pressureGradientForce::pressureGradientForce(const carrierFluid& fluid)
 
 void Foam::pressureGradientForce::addDensity(volVectorField& density) const
 {
-    density.primitiveFieldRef() -=
-        fluid_.rho()*fvc::grad(fluid_.p())().primitiveField();
+    const tmp<volVectorField> tgradp(fvc::grad(fluid_.p()));
+    const vectorField& gradp = tgradp().primitiveField();
+
+    vectorField& f = density.primitiveFieldRef();
+    forAll(f, celli)
+    {
+        f[celli] -= fluid_.rho()*gradp[celli];
+    }
 }
 
 

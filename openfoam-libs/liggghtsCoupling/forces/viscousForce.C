@@ -66,10 +66,18 @@ void Foam::viscousForce::addDensity(volVectorField& density) const
     const word name("laplacian(" + nu.name() + ',' + U.name() + ')');
 
     ITstream is(name, scheme(fluid_.mesh(), name, orthogonal_));
-    density.primitiveFieldRef() +=
-        fluid_.rho()
-       *fv::laplacianScheme<vector, scalar>::New(fluid_.mesh(), is).ref()
-       .fvcLaplacian(nu, U)().primitiveField();
+    const tmp<volVectorField> tlaplacian
+    (
+        fv::laplacianScheme<vector, scalar>::New(fluid_.mesh(), is).ref()
+       .fvcLaplacian(nu, U)
+    );
+    const vectorField& laplacian = tlaplacian().primitiveField();
+
+    vectorField& f = density.primitiveFieldRef();
+    forAll(f, celli)
+    {
+        f[celli] += fluid_.rho()*laplacian[celli];
+    }
 }
 
 

@@ -35,6 +35,85 @@ inline void fetch(const void* first, const std::size_t size)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::cellPointSampler::makePoints
+(
+    const volVectorField& U,
+    const volVectorField& force,
+    const volScalarField& voidFraction
+)
+{
+    const fvMesh& mesh = U.mesh();
+    const pointMesh& pMesh = pointMesh::New(mesh);
+    const auto io = [&](const char* name)
+    {
+        return IOobject(name, mesh.time().timeName(), mesh);
+    };
+
+    pointU_.reset
+    (
+        new pointVectorField
+        (
+            io("grainPointU"), pMesh, dimensionedVector(U.dimensions(), Zero)
+        )
+    );
+    pointForce_.reset
+    (
+        new pointVectorField
+        (
+            io("grainPointForce"), pMesh, dimensionedVector(force.dimensions(), Zero)
+        )
+    );
+    pointVoidFraction_.reset
+    (
+        new pointScalarField
+        (
+            io("grainPointVoidFraction"), pMesh, dimensionedScalar(dimless, Zero)
+        )
+    );
+
+    // volPointInterpolation keeps its weights, inverse distances over their sum, to itself.
+    // The sum over this side's cells it tells as the interpolation of 1: less than 1 on
+    // coupled boundaries, and nothing on others, where cells have no part
+    const volScalarField one(io("one"), mesh, dimensionedScalar("one", dimless, scalar(1)));
+    pointScalarField sum(io("sum"), pMesh, dimensionedScalar(dimless, Zero));
+    volPointInterpolation::New(mesh).interpolateInternalField(one, sum);
+
+    const labelListList& pointCells = mesh.pointCells();
+    firstWeight_.setSize(points_.size() + 1);
+    DynamicList<cellWeight> weights(8*points_.size());
+    forAll(points_, pointi)
+    {
+        firstWeight_[pointi] = weights.size();
+        if (sum[pointi] <= 0)
+        {
+            continue;
+        }
+
+        scalar all = 0;
+        for (const label celli : pointCells[pointi])
+        {
+            const scalar inverse =
+                1/mag(mesh.points()[pointi] - mesh.cellCentres()[celli]);
+            weights.append(cellWeight{celli, inverse});
+            all += inverse;
+        }
+        for (label i = firstWeight_[pointi]; i < weights.size(); ++i)
+        {
+            weights[i].weight *= sum[pointi]/all;
+        }
+    }
+    firstWeight_.last() = weights.size();
+    weights_.transfer(weights);
+
+    bitSet onBoundary(mesh.nPoints());
+    for (label facei = mesh.nInternalFaces(); facei < mesh.nFaces(); ++facei)
+    {
+        onBoundary.setMany(mesh.faces()[facei].begin(), mesh.faces()[facei].end());
+    }
+    boundaryPoints_ = onBoundary.sortedToc();
+}
+
+
 bool Foam::cellPointSampler::inPyramid
 (
     const guestGrain& grain,
@@ -158,25 +237,55 @@ void Foam::cellPointSampler::update
     const volScalarField& voidFraction
 )
 {
-    const volPointInterpolation& toPoints = volPointInterpolation::New(U.mesh());
-
-    const tmp<pointVectorField> pU(toPoints.interpolate(U));
-    const tmp<pointVectorField> pForce(toPoints.interpolate(force));
-    const tmp<pointScalarField> pVoidFraction(toPoints.interpolate(voidFraction));
+    if (!pointU_)
+    {
+        makePoints(U, force, voidFraction);
+    }
 
     forAll(cells_, i)
     {
-        cells_[i] =
-        {
-            cells_[i].position, U[i], force[i], voidFraction[i]
-        };
+        packed& value = cells_[i];
+        value.U = U[i];
+        value.force = force[i];
+        value.voidFraction = voidFraction[i];
     }
+
+    const cellWeight* part = weights_.cdata();
     forAll(points_, i)
     {
-        points_[i] =
+        packed& point = points_[i];
+        point.U = Zero;
+        point.force = Zero;
+        point.voidFraction = 0;
+        for (const cellWeight* end = weights_.cdata() + firstWeight_[i + 1]; part < end; ++part)
         {
-            points_[i].position, pU()[i], pForce()[i], pVoidFraction()[i]
-        };
+            const packed& cell = cells_[part->cell];
+            point.U += part->weight*cell.U;
+            point.force += part->weight*cell.force;
+            point.voidFraction += part->weight*cell.voidFraction;
+        }
+    }
+
+    // Boundaries: other sides of coupled ones, values of patches, constraints
+    const volPointInterpolation& toPoints = volPointInterpolation::New(U.mesh());
+    vectorField& pU = pointU_->primitiveFieldRef();
+    vectorField& pForce = pointForce_->primitiveFieldRef();
+    scalarField& pVoidFraction = pointVoidFraction_->primitiveFieldRef();
+
+    for (const label i : boundaryPoints_)
+    {
+        pU[i] = points_[i].U;
+        pForce[i] = points_[i].force;
+        pVoidFraction[i] = points_[i].voidFraction;
+    }
+    toPoints.interpolateBoundaryField(U, *pointU_, false);
+    toPoints.interpolateBoundaryField(force, *pointForce_, false);
+    toPoints.interpolateBoundaryField(voidFraction, *pointVoidFraction_, false);
+    for (const label i : boundaryPoints_)
+    {
+        points_[i].U = pU[i];
+        points_[i].force = pForce[i];
+        points_[i].voidFraction = pVoidFraction[i];
     }
 }
 

@@ -59,14 +59,16 @@ def write_grains(folder, n):
 
 
 def write_vortices(folder):
-    """Taylor-Green vortices of 1 m/s across the stream, so that the pressure solver has its usual work."""
+    """Taylor-Green vortices of 1 m/s across the stream and some shear along it, so that the linear
+    solvers have their usual work."""
     k = 2 * math.pi / CELLS
     values = []
     for _ in range(CELLS):
         for j in range(CELLS):
             for i in range(CELLS):
                 x, y = k * (i + 0.5), k * (j + 0.5)
-                values.append(f"({math.sin(x) * math.cos(y):.9g} {-math.cos(x) * math.sin(y):.9g} 8)")
+                values.append(f"({math.sin(x) * math.cos(y):.9g} {-math.cos(x) * math.sin(y):.9g} "
+                              f"{8 + 0.5 * math.sin(x):.9g})")
     path = folder / "0/U"
     path.write_text(path.read_text().replace(
         "uniform (0 0 8)", f"nonuniform List<vector> {len(values)}\n(\n" + "\n".join(values) + "\n)"))
@@ -170,6 +172,8 @@ def memory(options, work):
         for grains in (few, many):
             folder = work / f"memory-{ranks}-{grains}"
             write_case(folder, grains, 10, ranks, 5, True, options.two_way)
+            control = folder / "system/controlDict"
+            control.write_text(control.read_text().replace("writeInterval 5;", "writeInterval 100;"))
             measure(["blockMesh"], folder)
             if ranks > 1:
                 measure(["decomposePar"], folder)
@@ -204,8 +208,9 @@ def main():
         return
 
     rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead wall % "
-            "| overhead processor % | coupling, us per grain and interval (processor) |",
-            "|---|---|---|---|---|---|---|---|---|"]
+            "| overhead processor % | overhead, us per grain and interval (processor) "
+            "| grains on another rank % | bytes sent per step |",
+            "|---|---|---|---|---|---|---|---|---|---|---|"]
     print("\n".join(rows), flush=True)
     for grains in options.grains:
         for ranks in options.ranks:
@@ -236,8 +241,13 @@ def main():
                     for c, f, g in zip(taken["coupled"], taken["fluid"], taken["grains"]))
                 wall = [statistics.median(w for w, _ in taken[kind])
                         for kind in ("fluid", "grains", "coupled")]
-                rows.append("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {:.2f} |".format(
-                    grains, ranks, interval, *wall, *overhead, per_grain))
+                balance = box.read_balance(cases["coupled"][-1])
+                travelling = 100 * statistics.mean(balance["travelling"]) / grains
+                sent = (balance["bytes"][-1] - balance["bytes"][0]) / (LONG - 1)
+                rows.append(
+                    "| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {:.2f} "
+                    "| {:.1f} | {:.0f} |".format(grains, ranks, interval, *wall, *overhead,
+                                                 per_grain, travelling, sent))
                 print(rows[-1], flush=True)
     shutil.rmtree(work)
     if options.output:
