@@ -84,7 +84,7 @@ def make(name, size, ranks, again):
     for item in COPIED:
         if (TEMPLATE/item).is_dir():
             shutil.copytree(TEMPLATE/item, folder/item, ignore=shutil.ignore_patterns(
-                "polyMesh", "particles", "0", "processor*", "[1-9]*", *(["constant"] if item == "spinUp" else [])))
+                "polyMesh", "particles", "0", "processor*", "[1-9]*", "postProcessing", *(["constant"] if item == "spinUp" else [])))
         else:
             shutil.copy2(TEMPLATE/item, folder/item)
     (folder/"system"/"parameters").write_text(parameters(settings))

@@ -117,7 +117,7 @@ steady_stage()
     local iterations steady field
     launcher
     iterations=$(parameter spinUpIterations)
-    rm -rf 0 processor* spinUp/processor* spinUp/[1-9]*
+    rm -rf 0 processor* spinUp/processor* spinUp/[1-9]* spinUp/postProcessing
     cp -r 0.orig 0
     ln -sfn ../0 spinUp/0
     ln -sfn ../constant spinUp/constant
@@ -132,8 +132,7 @@ steady_stage()
     do
         cp "spinUp/$steady/$field" 0/
     done
-    run log.yPlus "Distance of the first cells from the wall" simpleFoam -case spinUp -postProcess -func yPlus -latestTime
-    sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' log.yPlus
+    sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' log.simpleFoam | tail -n 1
 }
 
 # From time 0, or from the latest time that holds the grains too
