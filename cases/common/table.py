@@ -135,8 +135,8 @@ class Table:
         if study:
             entry = self.studies[study]
             self._add(settings, entry, f"study.{study}")
-            self._add(settings, entry.get("size", {}).get(size, {}), f"study.{study}.size.{size}")
             self._add(settings, entry["run"][name], f"study.{study}.run.{name}")
+            self._add(settings, entry.get("size", {}).get(size, {}), f"study.{study}.size.{size}")
         settings |= {"name": name, "size": size, "case": case_name, "study": study,
                      "rig": rig, "material": particles["material"]}
         try:
