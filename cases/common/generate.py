@@ -67,6 +67,8 @@ def make(name, size, ranks, again):
     wanted = json.loads(json.dumps(settings))
     if stated.exists() and not again:
         kept = json.loads(stated.read_text())["settings"]
+        if not ranks:
+            wanted["ranks"] = kept["ranks"]
         differing = sorted(k for k in wanted.keys() | kept.keys() if wanted.get(k) != kept.get(k))
         finished = (folder/"stage.finished").exists()
         if differing and not finished:
@@ -90,7 +92,7 @@ def make(name, size, ranks, again):
     (folder/"system"/"parameters").write_text(parameters(settings))
     (folder/f"{folder.name}.foam").touch()
     if settings["ranks"] > 8:
-        (folder/"job.slurm").write_text(slurm.script(settings, CASES))
+        (folder/"job.slurm").write_text(slurm.script(settings, CASES, RUNS.resolve()))
     stated.write_text(json.dumps({"settings": settings, "commit": commit()}, indent=1) + "\n")
     print("new", folder)
 

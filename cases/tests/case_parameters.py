@@ -144,6 +144,16 @@ class Generated(grainjet.Case):
         self.assertFails(self.allrun("--generate", "Lau1", "quick"), "Umean", "--again")
         self.assertEqual(self.allrun("--generate", "Lau1", "quick", "--again").code, 0)
 
+    def test_ranks_stay_as_the_run_was_begun(self):
+        self.allrun("--generate", "Lau1", "full", "--ranks", "64")
+        folder = self.folder/"runs"/"Lau1-full"
+        self.assertIn("--ntasks=64", (folder/"job.slurm").read_text())
+        self.assertEqual(grainjet.run(["bash", "-n", folder/"job.slurm"], self.folder).code, 0)
+        again = self.allrun("--generate", "Lau1", "full")       # as the batch script calls it
+        self.assertEqual(again.code, 0, again)
+        self.assertIn("unfinished", again.output)
+        self.assertFails(self.allrun("--generate", "Lau1", "full", "--ranks", "32"), "ranks", "--again")
+
     def test_wrong_entries_of_the_table(self):
         text = (CASES/"parameters.toml").read_text()
         for old, new, words in (
