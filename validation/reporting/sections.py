@@ -166,7 +166,8 @@ def rings(results, pictures):
     lines = ["Figure 9: error of the ratios by ring, peak forces.", "", "![Errors by ring](figures/figure9.png)", "",
              head("ring, r/D", *(f"{name}, %" for name in plates.NAMES), "fewest hits in a run")]
     for r, _, _, wrong, counts in rows:
-        lines.append(row(f"{r:g}", *(f"{e:.0f} +- {de:.0f}" for e, de in wrong), min(counts.values())))
+        lines.append(row(f"{r:g}", *(f"{e:.0f} +- {de:.0f}" if de == de else "too few" for e, de in wrong),
+                         min(counts.values())))
     return lines + [""]
 
 
