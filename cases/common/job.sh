@@ -19,10 +19,10 @@ run()
     "$@" > "$log" 2>&1 || { ending "$log"; fail "$1 failed, see $PWD/$log"; }
 }
 
-# following <log> <end> <what>: a line of progress every 10 s while the process $! works
+# following <log> <end> <what> [begin]: a line of progress every 10 s while the process $! works
 following()
 {
-    local job=$! log=$1 end=$2 what=$3 start=$SECONDS last=$SECONDS
+    local job=$! log=$1 end=$2 what=$3 begin=${4:-0} first=$SECONDS last=$SECONDS
     trap 'kill '$job' 2> /dev/null || true' EXIT    # also when interrupted
     while kill -0 "$job" 2> /dev/null
     do
@@ -30,33 +30,33 @@ following()
         if [ $((SECONDS - last)) -ge 10 ]
         then
             last=$SECONDS
-            progress "$log" "$end" $((SECONDS - start))
+            progress "$log" "$end" $((SECONDS - first)) "$begin"
         fi
     done
     trap - EXIT
     wait "$job" || { ending "$log"; fail "$what stopped with an error, see $PWD/$log"; }
 }
 
-# progress <log> <end> <seconds so far>: one line from the end of the log of a solver
+# progress <log> <end> <seconds so far> <begin>: one line from the end of the log of a solver
 progress()
 {
-    tail -n 200 "$1" | awk -v end="$2" -v elapsed="$3" '
-        /^Time = / { done = $3/end }
+    tail -n 200 "$1" | awk -v end="$2" -v elapsed="$3" -v begin="$4" '
+        /^Time = / { time = $3 }
         /^liggghtsCoupling: grains/ {
             grains = $0
             sub(/^liggghtsCoupling:/, ",", grains)
             sub(/\).*/, ")", grains)
         }
         END {
-            if (done > 0)
-                printf "  %3d %% done, %d s left%s\n", 100*done, elapsed*(1 - done)/done, grains
+            if (time > begin)
+                printf "  %3d %% done, %d s left%s\n", 100*time/end, elapsed*(end - time)/(time - begin), grains
         }'
 }
 
 built()
 {
     local name
-    for name in hertzcgplugin fluidforceplugin
+    for name in hertzcgplugin fluidforceplugin platestatsplugin
     do
         [ -f "$root/lib/$name.so" ] || return 1
     done
@@ -72,8 +72,6 @@ prepare()
     built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
     . "$root/environment"
 }
-
-number() { foamDictionary -entry "$1" -value "$2"; }
 
 # a plain number of system/parameters
 parameter() { awk -v name="$1" '$1 == name { sub(/;.*/, "", $2); print $2 }' system/parameters; }
@@ -155,7 +153,7 @@ coupled_stage()
         mv log.pimpleFoam "log.pimpleFoam.until.$start" 2> /dev/null || true
     fi
     "${mpi[@]}" pimpleFoam $parallel > log.pimpleFoam 2>&1 &
-    following log.pimpleFoam "$(parameter endTime)" "coupled run"
+    following log.pimpleFoam "$(parameter endTime)" "coupled run" "$start"
     [ -z "$parallel" ] || run log.reconstructPar "Joining the fields of the ranks" reconstructPar
 }
 
