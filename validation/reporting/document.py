@@ -150,7 +150,7 @@ def profiles(results, pictures):
             lines.append(row(name, f"{plane['position']:g}D", f"{plane['crossings']:.0f}",
                              f"{plane['axisMean']:.2f} +- {plane['axisMeanError']:.2f}", f"{plane['axisRms']:.2f}",
                              f"{plane['axisMean']/run.settings['Umean']:.3f}"))
-    return lines + ["", "Figure 6, the gas of Lau3 without particles with three sets of coefficients: "
+    return lines + ["", *sections.trends(results), "Figure 6, the gas of Lau3 without particles with three sets of coefficients: "
                     "[validation/jetKEpsilon](../jetKEpsilon/README.md).", ""]
 
 

@@ -26,6 +26,38 @@ def complete(results, study):
     return all(results.study(study).values())
 
 
+def trends(results):
+    """What the paper says in words of its profiles, beside our numbers."""
+    runs = results.runs
+
+    def axis(name, index):
+        plane = runs[name].summary["planes"][index]
+        speed = runs[name].settings["Umean"]
+        return f"{plane['axisMean']/speed:.3f} +- {plane['axisMeanError']/speed:.3f}"
+
+    def inner_over_outer(name):
+        """Mean flux in r < 0.2 D over that in the ring at the wall."""
+        r, flux, _ = runs[name].normalised(0.1)["flux"]
+        area = [(x + 0.05)**2 - (x - 0.05)**2 for x in r]
+        inner = [i for i, x in enumerate(r) if x < 0.2]
+        return (sum(flux[i]*area[i] for i in inner)/sum(area[i] for i in inner)
+                / flux[[i for i, x in enumerate(r) if 0.4 < x < 0.5][0]])
+
+    lines = []
+    lau = [name for name in ("Lau1", "Lau2", "Lau3") if name in runs]
+    if len(lau) == 3:
+        values = [", ".join(f"{name} {axis(name, index)}" for name in lau) for index in (0, 1)]
+        lines += [row("Lau, 0.2D: the lowest Stokes number has the highest mean velocity near the axis, the highest the lowest",
+                      f"Up/Ub on the axis: {values[0]}"),
+                  row("Lau, 10D: the mean velocity depends on the Stokes number (which the experiment hardly shows)",
+                      f"Up/Ub on the axis: {values[1]}")]
+    if {"Hardalupas3", "Hardalupas4"} <= runs.keys():
+        lines += [row("Hardalupas3 has a flatter flux profile at the exit than Hardalupas4",
+                      "flux in r < 0.2 D over that in the ring at the wall: "
+                      + ", ".join(f"{name} {inner_over_outer(name):.2f}" for name in ("Hardalupas3", "Hardalupas4")))]
+    return [head("In words, the paper", "ours"), *lines, ""] if lines else []
+
+
 def development(results, pictures):
     lines = ["## Figures 2 and 3: full development", ""]
     for run in results.study("development").values():
