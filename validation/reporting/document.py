@@ -194,8 +194,19 @@ def costs(results):
                              f"{e['fluidSteps']:,.0f}", f"{e['demSteps']:,.0f}",
                              *(f"{e[part]:,.1f}" for part in ("fluid", "DEM", "coupling", "hours")),
                              f"{e['hours']/s['ranks']:.1f} on {s['ranks']}"))
-    return lines + ["", "Lower bounds: nothing beyond two ranks was measured, the pressure solver needs more iterations on a finer mesh, and the "
+    return lines + ["", *scaling(results), "Lower bounds: nothing beyond two ranks was measured, the pressure solver needs more iterations on a finer mesh, and the "
                     "machine's caches hold less of it. Count on twice the hours.", ""]
+
+
+def scaling(results):
+    """Wall time on more ranks."""
+    runs = [run for run in results.study("ranks").values() if run]
+    if len(runs) < 2:
+        return ["More ranks: not run; `cases/Allrun ranks` does it.", ""]
+    first = runs[0].summary["cost"]["wallSeconds"]/runs[0].settings["ranks"]
+    return [head("ranks", "wall time of the coupled run, s", "speed-up"),
+            *(row(run.settings["ranks"], f"{run.summary['cost']['wallSeconds']:.0f}",
+                  f"{first/run.summary['cost']['wallSeconds']:.2f}") for run in runs), ""]
 
 
 def missing(results):
