@@ -31,7 +31,10 @@ def region(hits, p):
     time = p["endTime"] - p["sampleStart"]
     n = len(hits)
     counts, _ = numpy.histogram(hits["time"], bins=BATCHES, range=(p["sampleStart"], p["endTime"]))
+    half = BATCHES//2
     found = {"collisions": n, "time": time, "particle_frequency": n*p["cg"]**3/time,
+             "particle_frequency_halves": [float(part.sum())*p["cg"]**3/(0.5*time)
+                                           for part in (counts[:half], counts[half:])],
              "frequency_relative_error": (counts.std(ddof=1)/math.sqrt(BATCHES)/counts.mean() if n
                                           else math.nan)}
     random = numpy.random.default_rng(1)

@@ -116,6 +116,7 @@ def main():
         "fluidAxisSpeed": axis, "fluidBulkSpeed": bulk,
         "fluidSteps": len(balance["Time"]), "demSteps": len(balance["Time"])*int(p["couplingInterval"]),
         "grainsInFlight": balance["present"][sampled].mean(),
+        "grainsInFlightStartEnd": [balance["present"][sampled][i] for i in (0, -1)],
         "grainSteps": balance["present"].sum()*p["couplingInterval"],
         "courantMax": balance["Courant"].max(), "percentRayleigh": balance["percentRayleigh"].max(),
         "solidFractionMax": balance["maxSolidFraction"].max(),

@@ -31,6 +31,11 @@ def ratios(near, far, forces, region="all"):
     return found
 
 
+def inverse(found):
+    """15D/5D of the same."""
+    return [(1/a, da/a**2) if a else (math.nan, math.nan) for a, da in found]
+
+
 def errors(fine, coarse):
     """Eq. (28) with its standard error: [(percent, percent)]"""
     return [(100*abs(a - b)/abs(a), 100*math.hypot(da, db)/abs(a))
