@@ -153,6 +153,18 @@ def plate(results, pictures):
                          f"{hit['particle_frequency']/run.settings['particlesPerSecond']:.3f}",
                          f"{hit['normal_force_peak']['mean']:.4g}",
                          " and ".join(f"{n:,.0f}" for n in run.summary["grainsInFlightStartEnd"])))
+    lines += ["", head("peak force of a collision over f_cg^2 (variance over f_cg^4)", "Fn mean, N", "variance, N2", "skewness",
+                       "Ft mean, N", "variance, N2", "skewness")]
+    for name, run in runs.items():
+        scale = run.settings["cg"]**2
+        cells = []
+        for force in plates.PEAK:
+            entry = run.plate["all"][force]
+            cells += [f"{entry['mean']/scale:.3e}", f"{entry['variance']/scale**2:.3e}",
+                      f"{entry['skewness']:.3f} +- {abs(entry['skewness'])*entry['skewness_relative_error']:.3f}"]
+        lines.append(row(name, *cells))
+    lines += ["", "Ratios as Eqs. (25) to (27) of the paper define them, 5D/15D, and the other way round: see "
+              "[what the results say](findings.md).", ""]
     paper = results.paper["table7"]
     for title, forces in (("peak of each collision", plates.PEAK), ("average over the contact", plates.AVERAGE)):
         fine = plates.ratios(runs["plate5D-cg1"], runs["plate15D-cg1"], forces)
