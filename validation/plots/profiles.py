@@ -8,6 +8,7 @@
 """
 
 import argparse
+import itertools
 import pathlib
 
 import matplotlib
@@ -44,6 +45,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=pathlib.Path, help="of the function object")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("profiles.png"))
+    parser.add_argument("--dpi", type=int, default=200)
     args = parser.parse_args()
 
     planes = tables.planes(args.folder)
@@ -51,7 +53,7 @@ def main():
     figure.suptitle("Particles, error bars: one standard error", fontsize=10)
     colours = plt.get_cmap("viridis")(numpy.linspace(0, 0.75, len(planes)))
     widest = 0
-    for (position, path), colour, marker in zip(planes.items(), colours, MARKERS):
+    for (position, path), colour, marker in zip(planes.items(), colours, itertools.cycle(MARKERS)):
         table = tables.read(path)
         draw(axes, table, label=f"$z/D$ = {position:g}", color=colour, marker=marker,
              markersize=4, linewidth=1, capsize=2)
@@ -64,7 +66,7 @@ def main():
         panel.grid(alpha=0.3)
         panel.legend(fontsize=8, loc="upper right", ncol=2 if letter == "b" else 1)
     args.output.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(args.output, dpi=200)
+    figure.savefig(args.output, dpi=args.dpi)
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ class QuickJet(grainjet.Case):
         values[1] = str(int(float(values[1])) + 100)    # 100 grains inserted but nowhere
         values[3] = str(int(float(values[3])) + 100)
         balance.write_text("\n".join([*lines[:-1], "\t".join(values)]) + "\n")
-        judged = grainjet.run(["./check.py"], case)
+        judged = grainjet.run([grainjet.ROOT/"cases"/"common"/"check.py", case], case)
         self.assertFails(judged, "FAILED")
 
     def test_failing_solver_ends_the_job_with_its_message(self):

@@ -1,0 +1,177 @@
+#!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of a job, and what must hold in its results. Exit code 1 if anything does not.
+
+    check.py [folder of the case]
+
+Reads system/parameters, the profiles, the balance of the coupling and the grains at the start and
+the end of the sampling."""
+
+import math
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]/"validation"/"plots"))
+
+import numpy      # noqa: E402
+import fields     # noqa: E402
+import tables     # noqa: E402
+
+
+def parameters(case):
+    """Numbers, lists of numbers and words of system/parameters."""
+    def value(text):
+        try:
+            return [float(x) for x in text[1:-1].split()] if text[0] == "(" else float(text)
+        except ValueError:
+            return text
+    text = (pathlib.Path(case)/"system"/"parameters").read_text()
+    return {name: value(stated) for name, stated in re.findall(r"^(\w+)\s+([^;\n]+);", text, re.M)}
+
+
+def inserted(p):
+    """(kg/s, particles/s) that the parameters state."""
+    kg = p["massLoading"]*p["rhoFluid"]*p["Umean"]*math.pi/4*p["D"]**2
+    # particles per kg: each size class by its share of the mass
+    per_kg = sum(share/(p["rhoParticle"]*math.pi/6*d**3)
+                 for d, share in zip(p["diameters"], p["massFractions"]))
+    return kg, kg*per_kg
+
+
+class Plane:
+    """What one sampling plane saw."""
+
+    def __init__(self, position, path):
+        table, whole = tables.read(path), tables.stated(path)
+        self.position = position
+        self.crossings = whole["whole plane: crossings"]
+        self.passed = whole["whole plane: forward"] - whole["whole plane: backward"]
+        self.particles_per_s = whole["whole plane: number rate"]
+        self.kg_per_s = whole["whole plane: mass rate"]
+
+        # On the axis: the rings nearest to it, up to 0.2 D, joined
+        near = table["r_outer/D"] < 0.2 + 1e-6
+        seen = near & (table["crossings"] > 0)
+        n = table["crossings"][seen]
+        mean, rms = (table[f"flux_weighted_{name}_axial"][seen] for name in ("mean", "rms"))
+        self.mean = (n*mean).sum()/max(n.sum(), 1)
+        self.rms = math.sqrt(max((n*(rms**2 + mean**2)).sum()/max(n.sum(), 1) - self.mean**2, 0))
+        self.error = self.rms/math.sqrt(max(n.sum(), 1))
+        areas = (table["r_outer/D"]**2 - table["r_inner/D"]**2)[near]
+        self.axis_flux = (table["number_flux"][near]*areas).sum()/areas.sum()
+
+
+def beyond(grains, balance, plane, diameter):
+    """Grains that have passed a plane by the time of a file of grains: behind it or gone."""
+    time, position, _ = grains
+    row = numpy.argmin(abs(balance["Time"] - time))
+    return (position[:, 2] > plane*diameter).sum() + balance["left"][row]
+
+
+class Results:
+    """What a finished job left, read once."""
+
+    def __init__(self, case):
+        case = pathlib.Path(case)
+        self.p = parameters(case)
+        results = case/"postProcessing"
+        self.planes = [Plane(*found) for found in tables.planes(results/"profiles").items()]
+        self.balance = tables.history(results/"liggghtsCoupling", "balance")
+        self.start, self.end = (fields.grains_at(results/"grains", self.p[time])
+                                for time in ("sampleStart", "endTime"))
+
+    def table(self):
+        """The lines of the table."""
+        p = self.p
+        _, particles_per_s = inserted(p)
+        yield (f"One grain = {p['cg']**3:g} particles; sampled from {p['sampleStart']:g} s "
+               f"to {p['endTime']:g} s")
+        yield "  plane  crossings   axis: mean      rms      number flux    through the plane"
+        yield "    z/D     grains          m/s      m/s        1/(m2 s)     / inserted"
+        for plane in self.planes:
+            yield (f"{plane.position:7g} {plane.crossings:10.0f}   {plane.mean:6.2f} +- {plane.error:4.2f}"
+                   f"   {plane.rms:6.2f}     {plane.axis_flux:11.3e}         "
+                   f"{plane.particles_per_s/particles_per_s:.3f}")
+
+    def checks(self):
+        """[(whether it holds, in words)]"""
+        p, planes, balance, start, end = self.p, self.planes, self.balance, self.start, self.end
+        D = p["D"]
+        kg_per_s, particles_per_s = inserted(p)
+        expected = particles_per_s/p["cg"]**3*(p["endTime"] - p["sampleStart"])
+        plate = p["endPatch"] == "plate"
+        checks = []
+
+        # Arrivals scatter at most like independent ones: 4 standard errors of a Poisson count
+        tolerance = 4/math.sqrt(expected)
+        # (grains that a plate throws back may pass a plane more than once)
+        for plane in planes if not plate else ():
+            for name, seen, put in (("number", plane.particles_per_s, particles_per_s),
+                                    ("mass", plane.kg_per_s, kg_per_s)):
+                checks.append((abs(seen/put - 1) < tolerance,
+                               f"{name} flow through {plane.position:g}D / inserted = {seen/put:.3f} "
+                               f"(1 +- {tolerance:.3f})"))
+
+        # The planes count what the balance and the grains themselves say, but for the grains that
+        # pass in the one step that may or may not belong to the sampling
+        slack = 1 + math.ceil(2*expected*p["fluidStep"]/(p["endTime"] - p["sampleStart"]))
+        for plane in planes:
+            passed = (beyond(end, balance, plane.position, D)
+                      - beyond(start, balance, plane.position, D))
+            checks.append((abs(passed - plane.passed) <= slack,
+                           f"crossings of {plane.position:g}D: {plane.passed:.0f}; grains and balance "
+                           f"say {passed:.0f} (+- {slack})"))
+
+        last = {name: values[-1] for name, values in balance.items()}
+        inside = len(end[1])
+        # LIGGGHTS still holds grains that left its box after the latest insertion, when it last
+        # looked; and a fast grain sinks into a soft plate: its centre may leave the mesh for a while
+        gone = 1 + math.ceil(2*expected*p["insertionInterval"]/p["couplingInterval"]*p["fluidStep"]
+                             / (p["endTime"] - p["sampleStart"]))
+        if plate:
+            gone += int(balance["outside"].max())
+        checks.append((0 <= last["inserted"] - inside - last["left"] <= gone,
+                       f"inserted {last['inserted']:.0f} = inside {inside} + left {last['left']:.0f} "
+                       f"(+ at most {gone} on their way out)"))
+
+        # Each insertion rounds its number of grains up or down at random: deviation 1/2 at most
+        stated = particles_per_s/p["cg"]**3*p["endTime"]
+        insertions = p["endTime"]/p["fluidStep"]*p["couplingInterval"]/p["insertionInterval"]
+        tolerance = 4*0.5*math.sqrt(insertions)
+        checks.append((abs(last["inserted"] - stated) < tolerance,
+                       f"inserted {last['inserted']:.0f} of {stated:.0f} grains stated (+- {tolerance:.0f})"))
+        outside = balance["outside"].max()
+        allowed = 0.01*balance["present"].max() if plate else 0
+        checks.append((outside <= allowed,
+                       f"grains outside the mesh at any step: {outside:.0f} (at most {allowed:.0f})"))
+        # what those grains had taken from the fluid cannot be given back to a cell
+        imbalance = balance["imbalance"].max()
+        allowed = 1e-4 if plate else 1e-10
+        checks.append((imbalance < allowed, "momentum of grains and fluid: imbalance at most "
+                       f"{imbalance:.1e} of what they exchanged (allowed: {allowed:g}"
+                       f"{'' if plate else ', round-off'})"))
+        if planes[-1].position >= 20:
+            checks.append((planes[-1].mean + 3*planes[-1].error < planes[0].mean - 3*planes[0].error,
+                           f"mean velocity on the axis falls from {planes[0].mean:.2f} to "
+                           f"{planes[-1].mean:.2f} m/s"))
+
+        return checks
+
+
+def main():
+    results = Results(sys.argv[1] if len(sys.argv) > 1 else ".")
+    print("", *results.table(), sep="\n")
+    checks = results.checks()
+    print()
+    for held, text in checks:
+        print(f"  {'holds ' if held else 'FAILED'}  {text}")
+    failed = sum(not held for held, _ in checks)
+    print("All checks hold" if not failed else f"{failed} checks FAILED")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,178 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The stages of a job, for the folder of a case as cases/quickJet is one. Sourced by
+# quickJet/Allrun and by cases/Allrun, in the folder of the case, with $root and `set -eu -o pipefail`.
+#   mesh_stage, steady_stage, coupled_stage: each starts from what the one before left
+
+fail() { echo "Allrun: $*" >&2; exit 1; }
+
+# what a log says about the error that ended the program
+ending() { grep -A 30 "FOAM FATAL" "$1" | head -n 30 | grep . || tail -n 25 "$1"; }
+
+# run <log> <words> <command>...: stop with the end of the log if the command fails
+run()
+{
+    local log=$1 words=$2
+    shift 2
+    echo "$words"
+    "$@" > "$log" 2>&1 || { ending "$log"; fail "$1 failed, see $PWD/$log"; }
+}
+
+# following <log> <end> <what> [begin]: a line of progress every 10 s while the process $! works
+following()
+{
+    local job=$! log=$1 end=$2 what=$3 begin=${4:-0} first=$SECONDS last=$SECONDS
+    trap 'kill '$job' 2> /dev/null || true' EXIT    # also when interrupted
+    while kill -0 "$job" 2> /dev/null
+    do
+        sleep 1
+        if [ $((SECONDS - last)) -ge 10 ]
+        then
+            last=$SECONDS
+            progress "$log" "$end" $((SECONDS - first)) "$begin"
+        fi
+    done
+    trap - EXIT
+    wait "$job" || { ending "$log"; fail "$what stopped with an error, see $PWD/$log"; }
+}
+
+# progress <log> <end> <seconds so far> <begin>: one line from the end of the log of a solver
+progress()
+{
+    tail -n 200 "$1" | awk -v end="$2" -v elapsed="$3" -v begin="$4" '
+        /^Time = / { time = $3 }
+        /^liggghtsCoupling: grains/ {
+            grains = $0
+            sub(/^liggghtsCoupling:/, ",", grains)
+            sub(/\).*/, ")", grains)
+        }
+        END {
+            if (time > begin)
+                printf "  %3d %% done, %d s left%s\n", 100*time/end, elapsed*(end - time)/(time - begin), grains
+        }'
+}
+
+built()
+{
+    local name
+    for name in hertzcgplugin fluidforceplugin platestatsplugin
+    do
+        [ -f "$root/lib/$name.so" ] || return 1
+    done
+    for name in libjetTurbulenceModels libliggghtsCoupling libparticleSamplingPlanes
+    do
+        [ -f "$root/lib/$name.so" ] || [ -f "${FOAM_USER_LIBBIN:-none}/$name.so" ] || return 1
+    done
+}
+
+# Builds Grainjet first if that was not done; afterwards its programs and libraries work
+prepare()
+{
+    built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
+    . "$root/environment"
+}
+
+# a plain number of system/parameters
+parameter() { awk -v name="$1" '$1 == name { sub(/;.*/, "", $2); print $2 }' system/parameters; }
+
+# set the command in front of a solver: none for one rank
+launcher()
+{
+    ranks=$(parameter ranks)
+    mpi=()
+    parallel=
+    [ "$ranks" -gt 1 ] || return 0
+    parallel=-parallel
+    if [ -n "${GRAINJET_LAUNCHER:-}" ]
+    then
+        read -ra mpi <<< "$GRAINJET_LAUNCHER"       # on a cluster: srun
+        return 0
+    fi
+    # A waiting rank gives way to other work on the machine: much faster where cores are shared
+    mpi=(mpirun -np "$ranks" --bind-to none --mca mpi_yield_when_idle 1)
+    [ "$(id -u)" -ne 0 ] || mpi+=(--allow-run-as-root)
+    [ "$(nproc)" -ge "$ranks" ] || mpi+=(--oversubscribe)
+}
+
+mesh_stage()
+{
+    run log.particleInput "Numbers and surfaces for LIGGGHTS" ./particleInput
+    run log.blockMesh "Mesh" blockMesh
+    run log.checkMesh "Mesh quality" checkMesh -allGeometry
+    grep -q "Mesh OK" log.checkMesh || fail "the mesh is not good, see $PWD/log.checkMesh"
+    grep -E "^ +(hexahedra|Mesh non-orthogonality|Max skewness)" log.checkMesh
+    awk -v d="$(parameter dParticle)" -v cg="$(parameter cg)" '
+        /Min\/max edge length/ {
+            printf "    Smallest cell side: %.3g mm, %.1f particle and %.1f grain diameters%s\n", \
+                1e3*$5, $5/d, $5/(cg*d), $5 < 1.86*d ? " (WARNING: below 1.86 particles)" : ""
+        }' log.checkMesh
+}
+
+# The flow without grains, in a case of its own on the same mesh
+steady_stage()
+{
+    local iterations steady field
+    launcher
+    iterations=$(parameter spinUpIterations)
+    rm -rf 0 processor* spinUp/processor* spinUp/[1-9]* spinUp/postProcessing
+    cp -r 0.orig 0
+    ln -sfn ../0 spinUp/0
+    ln -sfn ../constant spinUp/constant
+    [ -z "$parallel" ] || run log.decomposePar.spinUp "Cutting the mesh for $ranks ranks" decomposePar -case spinUp
+    echo "Steady flow without grains: up to $iterations iterations of simpleFoam on $ranks ranks"
+    "${mpi[@]}" simpleFoam -case spinUp $parallel > log.simpleFoam 2>&1 &
+    following log.simpleFoam "$iterations" "steady flow"
+    [ -z "$parallel" ] || run log.reconstructPar.spinUp "Its fields are the start of the coupled run" \
+        reconstructPar -case spinUp -latestTime
+    steady=$(foamListTimes -case spinUp -latestTime)
+    for field in U p k epsilon nut phi
+    do
+        cp "spinUp/$steady/$field" 0/
+    done
+    sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' log.simpleFoam | tail -n 1
+}
+
+# From time 0, or from the latest time that holds the grains too
+coupled_stage()
+{
+    launcher
+    local at=.
+    if [ -n "$parallel" ]
+    then
+        at=processor0
+        [ -d processor0/0 ] || run log.decomposePar "Cutting the mesh for $ranks ranks" decomposePar
+    fi
+    complete_times "$at"
+    if [ "$start" = 0 ]
+    then
+        echo "Coupled run: pimpleFoam and LIGGGHTS on $ranks ranks"
+        find postProcessing -mindepth 2 -delete
+    else
+        echo "Coupled run goes on from $start s on $ranks ranks"
+        mv log.pimpleFoam "log.pimpleFoam.until.$start" 2> /dev/null || true
+    fi
+    "${mpi[@]}" pimpleFoam $parallel > log.pimpleFoam 2>&1 &
+    following log.pimpleFoam "$(parameter endTime)" "coupled run" "$start"
+    [ -z "$parallel" ] || run log.reconstructPar "Joining the fields of the ranks" reconstructPar
+}
+
+# complete_times <folder>: drop the times that a killed run left without grains, set $start
+complete_times()
+{
+    local time
+    start=0
+    for time in $(find "$1" -maxdepth 1 -type d -name '[0-9]*' -printf '%f\n' | grep -E '^[0-9.e-]+$' | sort -g)
+    do
+        [ "$time" != 0 ] || continue
+        if [ -f "$1/$time/uniform/liggghts.restart" ]
+        then
+            start=$time
+        elif [ "$1" = . ]
+        then
+            rm -rf "./$time"
+        else
+            rm -rf processor*/"$time"
+        fi
+    done
+}
