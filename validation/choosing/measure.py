@@ -179,7 +179,7 @@ def cell(work):
     cell makes it too fast, against one-way."""
     print("\ncell: one grain of particles of 30 um falls in still air (laminar), 20 ms; box 3 x 3 x 6 mm")
     print("f_cg   cell/grain   cell/particle   fall two-way/one-way - 1, %   mean solid fraction")
-    for f, counts in ((1, (4, 8, 16, 32)), (2, (4, 8, 16, 24)), (4, (4, 8, 12))):
+    for f, counts in ((1, (4, 8, 16)), (2, (4, 8, 16)), (4, (4, 8, 12))):
         for n in counts:
             fall = {}
             for way in ("oneWay", "twoWay"):
