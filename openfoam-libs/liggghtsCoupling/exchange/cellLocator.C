@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellLocator.H"
-#include <memory>
 #include <new>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -15,8 +14,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     mesh_(mesh),
     start_(mesh.nCells() + 1),
     next_(),
-    store_(),
-    blocks_(nullptr),
+    blocks_(),
     low_(Zero),
     period_(Zero)
 {
@@ -42,18 +40,12 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     start_.last() = n;
     next_.setSize(n);
 
-    const std::size_t cacheLine = 64;
-    const std::size_t size = n + centreSize_*cells.size();
-    std::size_t space = size*sizeof(facePlane) + cacheLine;
-    store_.resize(space/sizeof(facePlane));
-    void* first = store_.data();
-    std::align(cacheLine, size*sizeof(facePlane), first, space);
-    blocks_ = static_cast<facePlane*>(first);
+    blocks_.resize(n + centreSize_*cells.size());
 
     forAll(cells, celli)
     {
         const point& centre = cellCentre[celli];
-        facePlane* plane = blocks_ + start_[celli] + centreSize_*(celli + 1);
+        facePlane* plane = blocks_.data() + start_[celli] + centreSize_*(celli + 1);
         new (plane - centreSize_) point(centre);
 
         label i = start_[celli];

@@ -79,9 +79,9 @@ void Foam::cellPointSampler::makePoints
     volPointInterpolation::New(mesh).interpolateInternalField(one, sum);
 
     const labelListList& pointCells = mesh.pointCells();
-    firstWeight_.setSize(points_.size() + 1);
-    DynamicList<cellWeight> weights(8*points_.size());
-    forAll(points_, pointi)
+    firstWeight_.setSize(mesh.nPoints() + 1);
+    DynamicList<cellWeight> weights(8*mesh.nPoints());
+    forAll(mesh_.points(), pointi)
     {
         firstWeight_[pointi] = weights.size();
         if (sum[pointi] <= 0)
@@ -103,7 +103,7 @@ void Foam::cellPointSampler::makePoints
         }
     }
     firstWeight_.last() = weights.size();
-    weights_.transfer(weights);
+    weights_.assign(weights.begin(), weights.end());
 
     bitSet onBoundary(mesh.nPoints());
     for (label facei = mesh.nInternalFaces(); facei < mesh.nFaces(); ++facei)
@@ -217,11 +217,11 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
         }
     }
 
-    forAll(cells_, i)
+    forAll(mesh_.cells(), i)
     {
         cells_[i].position = mesh_.cellCentres()[i];
     }
-    forAll(points_, i)
+    forAll(mesh_.points(), i)
     {
         points_[i].position = mesh_.points()[i];
     }
@@ -242,7 +242,7 @@ void Foam::cellPointSampler::update
         makePoints(U, force, voidFraction);
     }
 
-    forAll(cells_, i)
+    forAll(mesh_.cells(), i)
     {
         packed& value = cells_[i];
         value.U = U[i];
@@ -250,14 +250,14 @@ void Foam::cellPointSampler::update
         value.voidFraction = voidFraction[i];
     }
 
-    const cellWeight* part = weights_.cdata();
-    forAll(points_, i)
+    const cellWeight* part = weights_.data();
+    forAll(mesh_.points(), i)
     {
         packed& point = points_[i];
         point.U = Zero;
         point.force = Zero;
         point.voidFraction = 0;
-        for (const cellWeight* end = weights_.cdata() + firstWeight_[i + 1]; part < end; ++part)
+        for (const cellWeight* end = weights_.data() + firstWeight_[i + 1]; part < end; ++part)
         {
             const packed& cell = cells_[part->cell];
             point.U += part->weight*cell.U;
