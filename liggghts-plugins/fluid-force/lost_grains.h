@@ -28,8 +28,8 @@ class LostGrains : protected Pointers {
   void act_first(int ifix);
 
   // Books all leaving grains, also those out of the group, which a coupling counts too.
-  // halfKick: time (s) during which the grains
-  // have felt the fluid force since their impulse was last updated.
+  // halfKick: time (s) during which they have felt the fluid force since their impulse
+  // was last updated.
   void collect(const FluidForceExchange &, double halfKick);
 
   void clear() { grains_.clear(); }
