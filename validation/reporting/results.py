@@ -83,7 +83,8 @@ class Results:
     def meshes(self):
         """[(run, mesh quality)] of runs of which only the mesh was made."""
         return [(path.parent.name, json.loads(path.read_text()))
-                for path in sorted(self.folder.glob("*/mesh.json"))]
+                for path in sorted(self.folder.glob("*/mesh.json"))
+                if not (path.parent/"summary.json").exists()]
 
     def study(self, name):
         """{run: Run or None} of a study, in the order of the table."""
