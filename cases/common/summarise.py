@@ -4,7 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The results of a finished run, small enough to be kept: what it leaves in <folder>/results.
 
-    summarise.py <folder of the run>
+    summarise.py <folder of the run>           all of it
+    summarise.py --mesh <folder of the run>    only mesh.json, when there is a mesh but no results
 
 summary.json   parameters, commit, versions, mesh, cost, planes, what had to hold
 profiles.csv   radial profiles of all planes, also over Ugc (fluid on the axis at the exit) and Gm
@@ -40,7 +41,8 @@ def first(pattern, text, kind=str, default=None):
 def mesh_quality(folder, p):
     """The columns of Table 2, and the smallest side in particle diameters."""
     text = (folder/"log.checkMesh").read_text()
-    wall = (folder/"log.simpleFoam").read_text()
+    steady = folder/"log.simpleFoam"
+    wall = steady.read_text() if steady.exists() else ""
     side = first(r"Min/max edge length = (\S+)", text, float)
     return {"cells": first(r"cells:\s+(\d+)", text, int),
             "nonOrthogonalityMax": first(r"non-orthogonality Max: (\S+)", text, float),
@@ -88,7 +90,16 @@ def profiles(planes, p, axis):
             yield (position, table["r/D"][i], *row, row[1]/axis, row[3]/axis, row[7]/Gm)
 
 
+def mesh_only(folder):
+    (folder/"results").mkdir(exist_ok=True)
+    quality = mesh_quality(folder, check.parameters(folder))
+    (folder/"results"/"mesh.json").write_text(json.dumps(quality, indent=1) + "\n")
+
+
 def main():
+    if sys.argv[1] == "--mesh":
+        mesh_only(pathlib.Path(sys.argv[2]))
+        return
     folder = pathlib.Path(sys.argv[1])
     stated = json.loads((folder/"case.json").read_text())
     settings = stated["settings"]

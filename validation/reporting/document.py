@@ -91,14 +91,12 @@ def table2(results):
         lines.append(row(f"paper, {rig}", f"{p['cells']:,}", p["nonOrthogonalityMax"],
                          p["nonOrthogonalityAverage"], p["skewnessMax"], p["yPlusAverage"],
                          f"{1e6*p['smallestSide']:.0f}", ""))
-    for name in results.table.cases:
-        run = results.runs.get(name)
-        if run is None:
-            continue
-        m = run.summary["mesh"]
+    meshes = [(name, results.runs[name].summary["mesh"]) for name in results.table.cases if name in results.runs]
+    meshes += results.meshes()
+    for name, m in meshes:
         lines.append(row(name, f"{m['cells']:,}", f"{m['nonOrthogonalityMax']:.1f}",
                          f"{m['nonOrthogonalityAverage']:.1f}", f"{m['skewnessMax']:.2f}",
-                         f"{m['yPlusAverage']:.0f}", f"{1e6*m['smallestSide']:.0f}",
+                         f"{m['yPlusAverage']:.0f}" if m["yPlusAverage"] is not None else "no flow yet", f"{1e6*m['smallestSide']:.0f}",
                          f"{m['smallestSideOverDiameter']:.1f}"
                          + (" **below**" if m["smallestSideOverDiameter"] < 1.86 else "")))
     return lines + [""]

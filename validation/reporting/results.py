@@ -80,6 +80,12 @@ class Results:
             for path in sorted(pathlib.Path(experiments).glob("*.csv")):
                 self.experiments[path.stem] = read_experiment(path, self.table.cases)
 
+    def meshes(self):
+        """[(run, mesh quality)] of runs of which only the mesh was made."""
+        return [(path.parent.name, json.loads(path.read_text()))
+                for path in sorted(self.folder.glob("*/mesh.json"))
+                if not (path.parent/"summary.json").exists()]
+
     def study(self, name):
         """{run: Run or None} of a study, in the order of the table."""
         return {run: self.runs.get(run) for run in self.table.studies[name]["run"]}
