@@ -201,10 +201,15 @@ def scaling(results):
     runs = [run for run in results.study("ranks").values() if run]
     if len(runs) < 2:
         return ["More ranks: not run; `cases/Allrun ranks` does it.", ""]
-    first = runs[0].summary["cost"]["wallSeconds"]/runs[0].settings["ranks"]
-    return [head("ranks", "wall time of the coupled run, s", "speed-up"),
-            *(row(run.settings["ranks"], f"{run.summary['cost']['wallSeconds']:.0f}",
-                  f"{first/run.summary['cost']['wallSeconds']:.2f}") for run in runs), ""]
+    first = runs[0].summary["cost"]
+    lines = [head("ranks", "wall time of the coupled run, s", "processor time of one rank, s", "speed-up by wall time",
+                  "speed-up by processor time")]
+    for run in runs:
+        spent = run.summary["cost"]
+        lines.append(row(run.settings["ranks"], f"{spent['wallSeconds']:.0f}", f"{spent['processorSeconds']:.0f}",
+                         f"{first['wallSeconds']/spent['wallSeconds']:.2f}",
+                         f"{first['processorSeconds']/spent['processorSeconds']:.2f}"))
+    return [*lines, "", "Where the wall time is far above the processor time, other work shared the machine.", ""]
 
 
 def missing(results):
