@@ -6,6 +6,7 @@
 
 #include "plate_statistics.h"
 
+#include <limits>
 #include <cstdio>
 
 using namespace grainjet;
@@ -64,6 +65,8 @@ std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
     snprintf(number, sizeof(number), ",%.10g", value);
     text += number;
   };
+  // a constant: the division 0/0 would end a run in a host that traps invalid operations
+  const double undefined = std::numeric_limits<double>::quiet_NaN();
   for (int r = 0; r < regions(); r++) {
     const Region &region = regions_[r];
     text += r == 0 ? "all" : "ring" + std::to_string(r);
@@ -71,13 +74,13 @@ std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
     put(r == 0 ? geometry_.radius() : geometry_.innerRadius(r));
     put(time);
     put(collisions(r));
-    put(time > 0 ? collisions(r) / time : 0.0 / 0.0);
+    put(time > 0 ? collisions(r) / time : undefined);
     for (const Moments &m : region.moments) {
       put(m.mean());
       put(m.variance());
       put(m.skewness());
     }
-    put(time > 0 ? region.particles / time : 0.0 / 0.0);
+    put(time > 0 ? region.particles / time : undefined);
     for (const Moments &m : region.moments) put(m.standardError());
     put(touching[r]);
     put(begun[r] - collisions(r) - touching[r]);

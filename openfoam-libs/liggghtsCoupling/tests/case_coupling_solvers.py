@@ -143,6 +143,24 @@ class TurbulenceSources(grainjet.Case):
 
 class RunningCase(grainjet.Case):
 
+    run_box = case_coupling.Coupling.run_box
+
+    def test_plate_before_its_statistics_begin(self):
+        """OpenFOAM traps invalid operations: fix plate/stats writes its table, of no collision yet and
+        of no time, in a coupled run without making one."""
+        folder = self.run_box(
+            0, steps=4, walls=True, boundary="f f f",
+            grains=([(0.01, 0.01, 0.0399), (0.01, 0.012, 0.02)], [(0, 0, 1), (0, 0, 0)]),
+            fixes="plugin load hertzcgplugin.so\nplugin load platestatsplugin.so\n"
+            "fix contacts all hertz/cg tangential history\n"
+            "fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.04 "
+            "store_force yes\n"
+            "fix p all plate/stats wall w centre 0.01 0.01 0.04 normal 0 0 -1 radius 0.005 rings 2 "
+            "every 5 file plate.csv stats_start 1")
+        rows = (folder / "plate.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 4)
+        self.assertIn("nan", rows[1])
+
     def test_entries_changed_during_a_run(self):
         """Entries are read once: a change of fvOptions in a running case is answered in words, once
         a change, and the grains go on as they began."""
