@@ -24,11 +24,26 @@ namespace
 
 using namespace Foam;
 
-// The correction vectors are unit normals less the direction between cell centres
+// The correction vectors are unit normals less the direction between cell centres. Faces between
+// ranks count like inner ones, so that a case is the same on any number of ranks
 bool isOrthogonal(const fvMesh& mesh)
 {
     const scalar roundOff = 1e-9;
-    return gMax(mag(mesh.nonOrthCorrectionVectors())().primitiveField()) < roundOff;
+    const surfaceVectorField& correction = mesh.nonOrthCorrectionVectors();
+
+    scalar largest = 0;
+    for (const vector& v : correction.primitiveField())
+    {
+        largest = max(largest, mag(v));
+    }
+    for (const fvsPatchVectorField& patch : correction.boundaryField())
+    {
+        for (const vector& v : patch)
+        {
+            largest = max(largest, mag(v));
+        }
+    }
+    return returnReduce(largest, maxOp<scalar>()) < roundOff;
 }
 
 
