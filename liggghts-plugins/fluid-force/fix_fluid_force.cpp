@@ -307,7 +307,7 @@ void FixFluidForce::setup_pre_exchange()
 {
   if (!doorOpen_) return;
   refresh_exchange();
-  lost_.collect(exchange_, 0.0);
+  lost_.collect_outside(exchange_, 0.0);
 }
 
 /* ----------------------------------------------------------------------
@@ -318,7 +318,8 @@ void FixFluidForce::pre_exchange()
 {
   if (!doorOpen_) return;
   refresh_exchange();
-  lost_.collect(exchange_, 0.5 * update->dt);
+  lost_.collect_marked(exchange_, 0.5 * update->dt);
+  lost_.collect_outside(exchange_, 0.5 * update->dt);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -68,7 +68,7 @@ bool LostGrains::outside(const double *x) const
 
 /* ---------------------------------------------------------------------- */
 
-void LostGrains::collect(const FluidForceExchange &state, double halfKick)
+void LostGrains::collect_marked(const FluidForceExchange &state, double halfKick)
 {
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
     FixMassflowMesh *counter = dynamic_cast<FixMassflowMesh *>(modify->fix[ifix]);
@@ -78,6 +78,12 @@ void LostGrains::collect(const FluidForceExchange &state, double halfKick)
       if (i >= 0 && i < atom->nlocal && !outside(atom->x[i])) record(i, state, halfKick);
     }
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LostGrains::collect_outside(const FluidForceExchange &state, double halfKick)
+{
   for (int i = 0; i < atom->nlocal; i++)
     if (outside(atom->x[i])) record(i, state, halfKick);
 }

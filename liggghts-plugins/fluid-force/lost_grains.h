@@ -27,10 +27,13 @@ class LostGrains : protected Pointers {
   // grains before another fix deletes them. To be called in init() of that fix.
   void act_first(int ifix);
 
-  // Books all leaving grains, also those out of the group, which a coupling counts too.
-  // halfKick: time (s) during which they have felt the fluid force since their impulse
-  // was last updated.
-  void collect(const FluidForceExchange &, double halfKick);
+  // Books leaving grains, also those out of the group, which a coupling counts too:
+  // those beyond the boundary, which every exchange between ranks drops, and those marked by
+  // a fix massflow/mesh, which goes on holding them until the next step that rebuilds
+  // lists (so not in a set-up). halfKick: time (s) during which they have felt the fluid
+  // force since their impulse was last updated.
+  void collect_outside(const FluidForceExchange &, double halfKick);
+  void collect_marked(const FluidForceExchange &, double halfKick);
 
   void clear() { grains_.clear(); }
   const std::vector<FluidForceExchange::Lost> &grains() const { return grains_; }

@@ -27,9 +27,10 @@ class Coupling(grainjet.Case):
 
     def run_box(self, ranks=0, steps=20, grains=None, solver="pimpleFoam", options=None,
                 boundary="p p p", processors="", diameter=2e-4, ranks_in_case=2,
-                box_of_grains="0 0.02 0 0.02 0 0.04", density=2500.0, fixes="", **fluid):
+                box_of_grains="0 0.02 0 0.02 0 0.04", density=2500.0, fixes="", into=None,
+                **fluid):
         """Run the box in a folder of its own; returns the folder with reconstructed fields."""
-        folder = self.folder / f"{len(list(self.folder.iterdir()))}"
+        folder = into or self.folder / f"{len(list(self.folder.iterdir()))}"
         box.write(folder, steps=steps, ranks=ranks_in_case, **fluid)
         if options is not False:
             x, v = grains or swarm(300, 7)
