@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <vector>
 
 using namespace LAMMPS_NS;
 
@@ -73,16 +74,30 @@ void FixHertzCg::timestep_percent(double &rayleigh, double &hertz) const
   MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
   const double speed = 2.0 * std::sqrt(fastest);
 
-  double shortest[2] = {HUGE_VAL, HUGE_VAL};
+  // of grains of one type the Rayleigh time grows with m/R, the Hertz time with m^2/R: the
+  // roots and powers are for the smallest of each only, since a coupled run asks every fluid step
+  struct Smallest {
+    double key = HUGE_VAL, radius = 0.0, mass = 0.0;
+    void take(double k, double R, double m) { if (k < key) { key = k; radius = R; mass = m; } }
+  };
+  std::vector<Smallest> quickest_wave(atom->ntypes + 1), shortest_impact(atom->ntypes + 1);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const int type = atom->type[i];
     const double R = atom->radius[i], m = atom->rmass[i];
-    const double density = m / (4.0 / 3.0 * 3.14159265358979323846 * R * R * R);
+    quickest_wave[atom->type[i]].take(m / R, R, m);
+    shortest_impact[atom->type[i]].take(m * m / R, R, m);
+  }
+
+  double shortest[2] = {HUGE_VAL, HUGE_VAL};
+  for (int type = 1; type <= atom->ntypes; ++type) {
+    const Smallest &wave = quickest_wave[type], &impact = shortest_impact[type];
+    if (wave.radius <= 0.0) continue;
+    const double R = wave.radius;
+    const double density = wave.mass / (4.0 / 3.0 * 3.14159265358979323846 * R * R * R);
     shortest[0] = std::min(shortest[0], rayleighTime(R, density, materials_.youngs(type), materials_.poisson(type)));
     if (speed > 0.0)
-      shortest[1] = std::min(shortest[1],
-                             hertzTime(0.5 * m, 0.5 * R, materials_(type, type).material.youngs, speed));
+      shortest[1] = std::min(shortest[1], hertzTime(0.5 * impact.mass, 0.5 * impact.radius,
+                                                    materials_(type, type).material.youngs, speed));
   }
   MPI_Allreduce(MPI_IN_PLACE, shortest, 2, MPI_DOUBLE, MPI_MIN, world);
   rayleigh = 100.0 * update->dt / shortest[0];

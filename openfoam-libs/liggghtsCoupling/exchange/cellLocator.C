@@ -5,70 +5,81 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellLocator.H"
-#include <new>
+#include "SubField.H"
+#include "cyclicPolyPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellLocator::cellLocator(const polyMesh& mesh)
 :
     mesh_(mesh),
-    start_(mesh.nCells() + 1),
-    next_(),
     blocks_(),
+    firstBlock_(),
+    nFaces_(0),
     low_(Zero),
-    period_(Zero)
+    period_(Zero),
+    high_(Zero),
+    half_(Zero)
 {
-    static_assert
-    (
-        sizeof(point) <= centreSize_*sizeof(facePlane),
-        "no room for the centre"
-    );
-
     const cellList& cells = mesh.cells();
     const labelList& owner = mesh.faceOwner();
     const labelList& neighbour = mesh.faceNeighbour();
     const vectorField& faceCentre = mesh.faceCentres();
     const vectorField& area = mesh.faceAreas();
-    const vectorField& cellCentre = mesh.cellCentres();
 
-    label n = 0;
+    label nBlocks = 0;
+    labelList first(cells.size());
     forAll(cells, celli)
     {
-        start_[celli] = n;
-        n += cells[celli].size();
+        first[celli] = nBlocks;
+        nBlocks += (cells[celli].size() + nLanes - 1)/nLanes;
     }
-    start_.last() = n;
-    next_.setSize(n);
-
-    blocks_.resize(n + centreSize_*cells.size());
+    blocks_.resize(nBlocks);
+    if (nBlocks > cells.size())
+    {
+        firstBlock_ = first;
+    }
 
     forAll(cells, celli)
     {
-        const point& centre = cellCentre[celli];
-        facePlane* plane = blocks_.data() + start_[celli] + centreSize_*(celli + 1);
-        new (plane - centreSize_) point(centre);
+        const point& centre = mesh.cellCentres()[celli];
+        const label n = cells[celli].size();
+        faceBlock* block = blocks_.data() + first[celli];
 
-        label i = start_[celli];
-        for (const label facei : cells[celli])
+        for (label i = 0; i < (n + nLanes - 1)/nLanes*nLanes; ++i)
         {
-            const bool owned = (owner[facei] == celli);
-            const vector normal =
-                (owned ? 1 : -1)*area[facei]/(mag(area[facei]) + VSMALL);
-            const scalar h = max(normal & (faceCentre[facei] - centre), VSMALL);
+            faceBlock& faces = block[i/nLanes];
+            const label lane = i % nLanes;
 
-            // Normal numbers also for a face through the centre
-            plane->h = max(h, scalar(1e-30));
-            for (direction k = 0; k < 3; ++k)
+            faces.centre = centre;
+            faces.nFaces = n;
+            faces.firstFace = nFaces_;
+            faces.set(lane, Zero, 1e30, -1);
+
+            if (i < n)
             {
-                plane->a[k] = normal[k]/plane->h;
-            }
-            ++plane;
+                const label facei = cells[celli][i];
+                const bool owned = (owner[facei] == celli);
+                const vector normal =
+                    (owned ? 1 : -1)*area[facei]/(mag(area[facei]) + VSMALL);
 
-            next_[i++] =
-                !mesh.isInternalFace(facei) ? -1
-              : owned ? neighbour[facei] : owner[facei];
+                // Normal numbers also for a face through the centre
+                const scalar h =
+                    max(normal & (faceCentre[facei] - centre), scalar(1e-30));
+                faces.set
+                (
+                    lane,
+                    normal/h,
+                    h,
+                    !mesh.isInternalFace(facei) ? -1
+                  : owned ? neighbour[facei] : owner[facei]
+                );
+            }
         }
+        nFaces_ += n;
     }
+
+    setPeriod(Zero, Zero);
 
     // Built on demand by calls that all ranks must make together
     (void)mesh.tetBasePtIs();
@@ -82,6 +93,89 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
 {
     low_ = low;
     period_ = period;
+    high_ = low + period;
+    half_ = period/2;
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (period[k] <= 0)
+        {
+            low_[k] = -VGREAT;
+            high_[k] = VGREAT;
+            half_[k] = VGREAT;
+        }
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        const auto* side = isA<cyclicPolyPatch>(patch);
+        if (side)
+        {
+            link(*side);
+        }
+    }
+}
+
+
+void Foam::cellLocator::link(const cyclicPolyPatch& side)
+{
+    const cyclicPolyPatch& other = side.neighbPatch();
+    forAll(side, i)
+    {
+        // Other periods than that of the DEM box are none for grains
+        const vector apart(other.faceCentres()[i] - side.faceCentres()[i]);
+        bool isPeriod = false;
+        for (direction k = 0; k < 3; ++k)
+        {
+            vector period(Zero);
+            period[k] = sign(apart[k])*period_[k];
+            isPeriod =
+                isPeriod
+             || (period_[k] > 0 && mag(apart - period) < 1e-6*period_[k]);
+        }
+        if (!isPeriod)
+        {
+            continue;
+        }
+
+        const label celli = side.faceCells()[i];
+        const label face = mesh_.cells()[celli].find(side.start() + i);
+        faceBlock& faces =
+            blocks_[block(celli) - blocks_.data() + face/nLanes];
+        faces.behind[face % nLanes] = other.faceCells()[i];
+    }
+}
+
+
+Foam::label Foam::cellLocator::aroundBoundary
+(
+    const point& p,
+    const label celli
+) const
+{
+    const faceBlock* faces = block(celli);
+    const vector d(fromCentre(p, *faces));
+
+    label across = -1;
+    float farthest = 0;
+    for (label first = 0, n = faces->nFaces; first < n; first += nLanes, ++faces)
+    {
+        const lanes r(faces->relative(d));
+        const lanes distance(faces->distance(r));
+        for (label i = 0; i < nLanes; ++i)
+        {
+            if
+            (
+                r[i] < -tolerance_
+             && distance[i] < farthest
+             && faces->behind[i] >= 0
+            )
+            {
+                farthest = distance[i];
+                across = faces->behind[i];
+            }
+        }
+    }
+    return across;
 }
 
 
@@ -100,19 +194,20 @@ Foam::cellLocator::place Foam::cellLocator::find
         }
     }
 
-    if (!mesh_.nCells() || !mesh_.bounds().contains(p))
+    const point inside(wrap(p));
+    if (!mesh_.nCells() || !mesh_.bounds().contains(inside))
     {
         return {-1, 0, -1};
     }
 
-    const label celli = mesh_.findCell(p);
+    const label celli = mesh_.findCell(inside);
     if (celli < 0)
     {
         return {-1, 0, -1};
     }
 
     // On warped faces tetrahedra and planes differ a little: the tetrahedra decide
-    const place exact = walk(p, celli);
+    const place exact = walk(inside, celli);
     return exact.cell == celli ? exact : place{celli, 0, -1};
 }
 

@@ -28,29 +28,6 @@ template<> struct is_contiguous<answer> : std::true_type {};
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::guestGrains::hand
-(
-    const label atom,
-    const fluidAction& action,
-    const label rank,
-    const label number
-)
-{
-    for (direction k = 0; k < 3; ++k)
-    {
-        door_->fluidVelocity[atom][k] = action.velocity[k];
-        door_->explicitForce[atom][k] = action.force[k];
-        door_->impulse[atom][k] = 0;
-        door_->startPosition[atom][k] = grains_.position[atom][k];
-    }
-    door_->dragCoefficient[atom] = action.dragCoefficient;
-    door_->host[atom][0] = rank;
-    door_->host[atom][1] = number;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::guestGrains::guestGrains
@@ -64,7 +41,7 @@ Foam::guestGrains::guestGrains
     locator_(locator),
     route_(boxes),
     grains_(),
-    door_(nullptr),
+    door_(),
     outside_(0),
     left_(0),
     impulseBytes_(0)
@@ -76,7 +53,7 @@ Foam::guestGrains::guestGrains
 void Foam::guestGrains::forget()
 {
     const label n = session_.grains().n;
-    LAMMPS_NS::FluidForceExchange& door = session_.fluidForce();
+    const liggghtsSession::fluidArrays door = session_.fluidForces();
 
     for (label atom = 0; atom < n; ++atom)
     {
@@ -106,8 +83,8 @@ void Foam::guestGrains::send()
     // former host will book it. Numbers from -2 downwards mean a former guest
     for (const label atom : homeless_)
     {
-        const label rank = label(door_->host[atom][0]);
-        const label number = label(door_->host[atom][1]);
+        const label rank = label(door_.host[atom][0]);
+        const label number = label(door_.host[atom][1]);
         const bool leaving = (rank >= 0 && number >= 0);
 
         hand

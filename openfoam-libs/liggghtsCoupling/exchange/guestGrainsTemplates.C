@@ -30,7 +30,7 @@ template<class Found>
 void Foam::guestGrains::locate(const Found& found)
 {
     grains_ = session_.grains();
-    door_ = &session_.fluidForce();
+    door_ = session_.fluidForces();
     const label me = Pstream::myProcNo();
 
     previousCells_.swap(cells_);
@@ -47,6 +47,7 @@ void Foam::guestGrains::locate(const Found& found)
         const label source
     )
     {
+        guest.position = locator_.near(guest.position, place.cell);
         guest.cell = place.cell;
         guest.clearance = place.clearance;
         guest.pyramid = place.pyramid;
@@ -62,7 +63,8 @@ void Foam::guestGrains::locate(const Found& found)
     // Far enough ahead for memory to arrive: first that of the cell which held a grain
     // last, then that of the cell it has probably entered since
     const label ahead = 8;
-    FixedList<label, ahead> starts(-1);
+    FixedList<cellLocator::place, ahead> places;
+    FixedList<label, ahead> starts;
 
     const auto prepare = [&](const label atom)
     {
@@ -76,9 +78,19 @@ void Foam::guestGrains::locate(const Found& found)
         }
         if (atom >= 0 && atom < grains_.n)
         {
+            cellLocator::place& place = places[atom % ahead];
+            label& start = starts[atom % ahead];
+            place.cell = start = -1;
+
             const label celli = lastCell(atom);
-            starts[atom % ahead] =
-                celli < 0 ? -1 : locator_.towards(position(atom), celli);
+            if (celli >= 0)
+            {
+                place = locator_.step(position(atom), celli, start);
+            }
+            if (start >= 0)
+            {
+                locator_.fetch(start);
+            }
         }
     };
 
@@ -89,19 +101,20 @@ void Foam::guestGrains::locate(const Found& found)
 
     for (label atom = 0; atom < grains_.n; ++atom)
     {
+        const cellLocator::place known = places[atom % ahead];
         const label start = starts[atom % ahead];
         prepare(atom + ahead);
 
         guestGrain guest(asGuest(atom));
-        const label rank = label(door_->host[atom][0]);
+        const label rank = label(door_.host[atom][0]);
 
         // A grain that was a guest elsewhere is probably still one: it asks there first
         const bool elsewhere =
-            rank >= 0 && rank != me && door_->host[atom][1] >= 0;
+            rank >= 0 && rank != me && door_.host[atom][1] >= 0;
 
         const cellLocator::place place =
-            elsewhere
-          ? cellLocator::place{-1, 0, -1}
+            known.cell >= 0 ? known
+          : elsewhere ? cellLocator::place{-1, 0, -1}
           : locator_.find(guest.position, start);
 
         if (place.cell >= 0)
@@ -110,6 +123,7 @@ void Foam::guestGrains::locate(const Found& found)
         }
         else
         {
+            guest.position = locator_.wrap(guest.position);
             away.append(guest);
             lastRank.append(elsewhere ? rank : -1);
             travellers_.append(atom);
@@ -173,7 +187,8 @@ Foam::vector Foam::guestGrains::receiveImpulse
 )
 {
     const label n = session_.grains().n;
-    LAMMPS_NS::FluidForceExchange& door = session_.fluidForce();
+    LAMMPS_NS::FluidForceExchange& losses = session_.fluidForce();
+    const liggghtsSession::fluidArrays door = session_.fluidForces();
     const label me = Pstream::myProcNo();
 
     makeRoom(impulse, cells_.size());
@@ -217,12 +232,12 @@ Foam::vector Foam::guestGrains::receiveImpulse
     {
         book(door.host[atom], door.impulse[atom]);
     }
-    for (label i = 0; i < door.nLost; ++i)
+    for (label i = 0; i < losses.nLost; ++i)
     {
-        book(door.lost[i].host, door.lost[i].impulse);
+        book(losses.lost[i].host, losses.lost[i].impulse);
     }
-    left_ = door.nLost;
-    door.clearLost(&door);
+    left_ = losses.nLost;
+    losses.clearLost(&losses);
 
     impulseBytes_ += ownerRoute::exchange<impulseParcel>
     (

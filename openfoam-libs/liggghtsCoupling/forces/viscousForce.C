@@ -6,7 +6,8 @@
 
 #include "viscousForce.H"
 #include "addToRunTimeSelectionTable.H"
-#include "laplacianScheme.H"
+#include "fvcLaplacian.H"
+#include "surfaceFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -47,17 +48,20 @@ bool isOrthogonal(const fvMesh& mesh)
 }
 
 
-// The case's scheme, without the correction where there is nothing to correct
-tokenList scheme(const fvMesh& mesh, const word& name, const bool orthogonal)
+// Whether the scheme is Gauss' with linear interpolation and nothing but the difference across
+// the face for the normal gradient, which "corrected" is on an orthogonal mesh
+bool isPlain(const tokenList& scheme, const bool orthogonal)
 {
-    const tokenList& stated = mesh.laplacianScheme(name);
-    tokenList words(stated);
-    token& last = words.last();
-    if (orthogonal && last.isWord() && last.wordToken() == "corrected")
+    const auto word = [&](const label i)
     {
-        last = token(word("uncorrected"));
-    }
-    return words;
+        return
+            i < scheme.size() && scheme[i].isWord()
+          ? scheme[i].wordToken()
+          : Foam::word();
+    };
+    return
+        scheme.size() == 3 && word(0) == "Gauss" && word(1) == "linear"
+     && (word(2) == "uncorrected" || (word(2) == "corrected" && orthogonal));
 }
 
 } // End anonymous namespace
@@ -68,27 +72,96 @@ tokenList scheme(const fvMesh& mesh, const word& name, const bool orthogonal)
 Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 :
     grainForce(fluid),
-    orthogonal_(isOrthogonal(fluid.mesh()))
+    orthogonal_(isOrthogonal(fluid.mesh())),
+    flux_()
 {}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::viscousForce::addPlain
+(
+    const volScalarField& nu,
+    const volVectorField& U,
+    vectorField& density
+) const
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const labelUList& owner = mesh.owner();
+    const labelUList& neighbour = mesh.neighbour();
+    const surfaceScalarField& area = mesh.magSf();
+    const surfaceScalarField& deltas = mesh.nonOrthDeltaCoeffs();
+    const surfaceScalarField& weights = mesh.weights();
+
+    flux_.setSize(mesh.nCells());
+    flux_ = Zero;
+    forAll(neighbour, facei)
+    {
+        const label o = owner[facei];
+        const label n = neighbour[facei];
+        const scalar nuf = weights[facei]*(nu[o] - nu[n]) + nu[n];
+        const vector flux = area[facei]*deltas[facei]*nuf*(U[n] - U[o]);
+        flux_[o] += flux;
+        flux_[n] -= flux;
+    }
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& pU = U.boundaryField()[patchi];
+        const fvPatchScalarField& pNu = nu.boundaryField()[patchi];
+        const fvsPatchScalarField& pWeights = weights.boundaryField()[patchi];
+        const bool coupled = pU.coupled();
+
+        const vectorField gradient
+        (
+            coupled
+          ? pU.snGrad(deltas.boundaryField()[patchi])
+          : pU.snGrad()
+        );
+        const scalarField nuf
+        (
+            coupled
+          ? tmp<scalarField>
+            (
+                pWeights*pNu.patchInternalField()
+              + (1 - pWeights)*pNu.patchNeighbourField()
+            )
+          : tmp<scalarField>(pNu)
+        );
+        const labelUList& cells = pU.patch().faceCells();
+        const scalarField& pArea = area.boundaryField()[patchi];
+        forAll(cells, i)
+        {
+            flux_[cells[i]] += pArea[i]*nuf[i]*gradient[i];
+        }
+    }
+
+    const scalarField& V = mesh.V();
+    forAll(density, celli)
+    {
+        density[celli] += fluid_.rho()/V[celli]*flux_[celli];
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::viscousForce::addDensity(volVectorField& density) const
 {
-    const volScalarField nu(fluid_.nu());
+    const tmp<volScalarField> tnu(fluid_.nu());
     const volVectorField& U = fluid_.U();
-    const word name("laplacian(" + nu.name() + ',' + U.name() + ')');
-
-    ITstream is(name, scheme(fluid_.mesh(), name, orthogonal_));
-    const tmp<volVectorField> tlaplacian
-    (
-        fv::laplacianScheme<vector, scalar>::New(fluid_.mesh(), is).ref()
-       .fvcLaplacian(nu, U)
-    );
-    const vectorField& laplacian = tlaplacian().primitiveField();
-
     vectorField& f = density.primitiveFieldRef();
+
+    const word name("laplacian(" + tnu().name() + ',' + U.name() + ')');
+
+    if (isPlain(fluid_.mesh().laplacianScheme(name), orthogonal_))
+    {
+        addPlain(tnu(), U, f);
+        return;
+    }
+
+    const tmp<volVectorField> tlaplacian(fvc::laplacian(tnu(), U, name));
+    const vectorField& laplacian = tlaplacian().primitiveField();
     forAll(f, celli)
     {
         f[celli] += fluid_.rho()*laplacian[celli];

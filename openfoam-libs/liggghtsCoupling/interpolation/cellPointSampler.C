@@ -135,16 +135,22 @@ bool Foam::cellPointSampler::inPyramid
         return false;
     }
 
-    const point& centre = cells_[grain.cell].position;
-    const vector b = points_[corners[0]].position - centre;
+    const point& centre = locator_.block(grain.cell)->centre;
     const vector r = grain.position - centre;
+    const vector b = positions_[corners[0]] - centre;
 
-    for (direction i = 1; i < 3; ++i)
+    // The plane through centre, base and the opposite corner is between the two: first
+    // the one on whose side the grain is
+    const vector between = b ^ (positions_[corners[2]] - centre);
+    const scalar first = between & (positions_[corners[1]] - centre);
+    const bool second = (between & r)*first < 0;
+
+    for (const label i : {1 + second, 2 - second})
     {
         const label pa = corners[i];
         const label pc = corners[i + 1];
-        const vector a = points_[pa].position - centre;
-        const vector c = points_[pc].position - centre;
+        const vector a = positions_[pa] - centre;
+        const vector c = positions_[pc] - centre;
 
         // Cramer's rule for r = wb b + wa a + wc c
         const vector ac = a ^ c;
@@ -188,7 +194,9 @@ void Foam::cellPointSampler::search
 Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
 :
     mesh_(locator.mesh()),
+    locator_(locator),
     corners_(locator.nFaces()),
+    positions_(mesh_.points().begin(), mesh_.points().end()),
     cells_(mesh_.nCells()),
     points_(mesh_.nPoints())
 {
@@ -205,7 +213,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
             const label base = max(bases[facei], 0);
 
             FixedList<label, 4>& corners =
-                corners_[locator.firstFace(celli) + i];
+                corners_[locator.block(celli)->firstFace + i];
             corners = -1;
             if (f.size() <= 4)
             {
@@ -215,15 +223,6 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
                 }
             }
         }
-    }
-
-    forAll(mesh_.cells(), i)
-    {
-        cells_[i].position = mesh_.cellCentres()[i];
-    }
-    forAll(mesh_.points(), i)
-    {
-        points_[i].position = mesh_.points()[i];
     }
 }
 
@@ -244,26 +243,21 @@ void Foam::cellPointSampler::update
 
     forAll(mesh_.cells(), i)
     {
-        packed& value = cells_[i];
-        value.U = U[i];
-        value.force = force[i];
-        value.voidFraction = voidFraction[i];
+        packed& cell = cells_[i];
+        cell.set(packed::U, U[i]);
+        cell.set(packed::force, force[i]);
+        cell.values[packed::voidFraction] = voidFraction[i];
     }
 
     const cellWeight* part = weights_.data();
     forAll(mesh_.points(), i)
     {
-        packed& point = points_[i];
-        point.U = Zero;
-        point.force = Zero;
-        point.voidFraction = 0;
+        packed sum{};
         for (const cellWeight* end = weights_.data() + firstWeight_[i + 1]; part < end; ++part)
         {
-            const packed& cell = cells_[part->cell];
-            point.U += part->weight*cell.U;
-            point.force += part->weight*cell.force;
-            point.voidFraction += part->weight*cell.voidFraction;
+            sum.add(part->weight, cells_[part->cell]);
         }
+        points_[i] = sum;
     }
 
     // Boundaries: other sides of coupled ones, values of patches, constraints
@@ -274,18 +268,18 @@ void Foam::cellPointSampler::update
 
     for (const label i : boundaryPoints_)
     {
-        pU[i] = points_[i].U;
-        pForce[i] = points_[i].force;
-        pVoidFraction[i] = points_[i].voidFraction;
+        pU[i] = points_[i].get(packed::U);
+        pForce[i] = points_[i].get(packed::force);
+        pVoidFraction[i] = points_[i].values[packed::voidFraction];
     }
     toPoints.interpolateBoundaryField(U, *pointU_, false);
     toPoints.interpolateBoundaryField(force, *pointForce_, false);
     toPoints.interpolateBoundaryField(voidFraction, *pointVoidFraction_, false);
     for (const label i : boundaryPoints_)
     {
-        points_[i].U = pU[i];
-        points_[i].force = pForce[i];
-        points_[i].voidFraction = pVoidFraction[i];
+        points_[i].set(packed::U, pU[i]);
+        points_[i].set(packed::force, pForce[i]);
+        points_[i].values[packed::voidFraction] = pVoidFraction[i];
     }
 }
 
@@ -297,6 +291,7 @@ void Foam::cellPointSampler::soon(const label celli, const label pyramid) const
         fetch(&corners_[pyramid], sizeof(corners_[0]));
     }
     fetch(&cells_[celli], sizeof(packed));
+    fetch(&locator_.block(celli)->centre, sizeof(point));
 }
 
 
@@ -307,6 +302,7 @@ void Foam::cellPointSampler::verySoon(const label pyramid) const
         for (const label pointi : corners_[pyramid])
         {
             fetch(&points_[pointi], sizeof(packed));
+            fetch(&positions_[pointi], sizeof(point));
         }
     }
 }
@@ -323,19 +319,16 @@ Foam::fluidSampler::sample Foam::cellPointSampler::at
         search(grain, at);
     }
 
-    const packed& cell = cells_[grain.cell];
-    sample result
-    {
-        at.w[0]*cell.U, at.w[0]*cell.force, at.w[0]*cell.voidFraction
-    };
+    packed sum{};
+    sum.add(at.w[0], cells_[grain.cell]);
     for (direction k = 0; k < 3; ++k)
     {
-        const packed& value = points_[at.points[k]];
-        result.U += at.w[k + 1]*value.U;
-        result.force += at.w[k + 1]*value.force;
-        result.voidFraction += at.w[k + 1]*value.voidFraction;
+        sum.add(at.w[k + 1], points_[at.points[k]]);
     }
-    return result;
+    return sample
+    {
+        sum.get(packed::U), sum.get(packed::force), sum.values[packed::voidFraction]
+    };
 }
 
 

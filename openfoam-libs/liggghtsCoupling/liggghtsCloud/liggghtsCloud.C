@@ -14,7 +14,11 @@
 namespace
 {
 
-void copy(Foam::UList<Foam::vector>& to, double* const* from)
+void copy
+(
+    Foam::UList<Foam::vector>& to,
+    const Foam::liggghtsSession::rows<3>& from
+)
 {
     forAll(to, i)
     {
@@ -55,7 +59,7 @@ void Foam::liggghtsCloud::writeObjects(objectRegistry& obr) const
     copy
     (
         createIOField<point>("positionOld", n, obr),
-        session_.fluidForce().startPosition
+        session_.fluidForces().startPosition
     );
     copy(createIOField<vector>("U", n, obr), grains.velocity);
 
@@ -69,7 +73,7 @@ void Foam::liggghtsCloud::writeObjects(objectRegistry& obr) const
     {
         d[i] = 2*grains.radius[i];
         rho[i] = grains.mass[i]/(constant::mathematical::pi/6*pow3(d[i]));
-        nParticle[i] = pow3(session_.coarseGraining(grains.type[i]));
+        nParticle[i] = pow3(grains.cg[grains.type[i]]);
         origId[i] = grains.id[i];
     }
 }

@@ -12,25 +12,10 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fv::liggghtsCoupling::locateGrains()
-{
-    shares_.clear();
-    guests_->locate
-    (
-        [&](const label g, const guestGrain& guest)
-        {
-            voidFractionModel_->share(g, guest, shares_);
-        }
-    );
-    shares_.settle([&](const label g){ return guests_->cell(g); });
-}
-
-
-void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
+void Foam::fv::liggghtsCoupling::emptyCells()
 {
     scalarField& eps = voidFraction_.primitiveFieldRef();
     vectorField& velocity = particleVelocity_.primitiveFieldRef();
-    const scalarField& V = mesh_.V();
 
     for (const label celli : occupied_.cells())
     {
@@ -42,27 +27,52 @@ void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
     }
     occupied_.clear();
     contents_.clear();
+}
 
-    shares_.deposit<cellContent>
-    (
-        guests_->size(),
-        [&](const label g){ return guests_->cell(g); },
-        [&](const label g)
+
+void Foam::fv::liggghtsCoupling::locateGrains()
+{
+    const auto content = [](const guestGrain& grain)
+    {
+        return cellContent
         {
-            const guestGrain grain(guests_->guest(g));
-            return cellContent
-            {
-                grain.volume(), grain.mass, grain.mass*grain.velocity
-            };
-        },
+            grain.volume(), grain.mass, grain.mass*grain.velocity
+        };
+    };
+    const auto add =
         [&](const label celli, const scalar fraction, const cellContent& c)
         {
             cellContent& sum = occupied_.sum(contents_, celli);
             sum.volume += fraction*c.volume;
             sum.mass += fraction*c.mass;
             sum.momentum += fraction*c.momentum;
+        };
+
+    // What is read of a grain to find its cell serves for the cell's sums as well
+    shares_.clear();
+    guests_->locate
+    (
+        [&](const label g, const guestGrain& guest)
+        {
+            const label first = shares_.size();
+            voidFractionModel_->share(g, guest, shares_);
+            shares_.depositOne(first, g, guest.cell, content(guest), add);
         }
     );
+    shares_.settle([&](const label g){ return guests_->cell(g); });
+    shares_.depositRest<cellContent>
+    (
+        [&](const label g){ return content(guests_->guest(g)); },
+        add
+    );
+}
+
+
+void Foam::fv::liggghtsCoupling::fillCells(couplingLog::step& step)
+{
+    scalarField& eps = voidFraction_.primitiveFieldRef();
+    vectorField& velocity = particleVelocity_.primitiveFieldRef();
+    const scalarField& V = mesh_.V();
 
     forAll(contents_, i)
     {
@@ -186,7 +196,10 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
         {
             const scalar b = records_[g].dragCoefficient;
             const scalar m = records_[g].mass;
-            return cellExchange{impulse_[g], b, -m/dt*std::expm1(-b*dt/m), m};
+            return cellExchange
+            {
+                impulse_[g], b, twoWay_ ? -m/dt*std::expm1(-b*dt/m) : 0, m
+            };
         },
         [&](const label celli, const scalar fraction, const cellExchange& e)
         {
@@ -242,6 +255,7 @@ void Foam::fv::liggghtsCoupling::advance()
         step.owed = momentum_->owed();
     }
 
+    emptyCells();
     locateGrains();
     fillCells(step);
     evaluateFluid(step);

@@ -245,6 +245,12 @@ void Foam::liggghtsSession::start
         );
     }
 
+    cg_.assign(1, 1);
+    for (int type = 1; type <= lmp_->atom->ntypes; ++type)
+    {
+        cg_.push_back(lmp_->force->cg(type));
+    }
+
     setup();
 
     insertedOffset_ = lmp_->atom->natoms - insertedByFixes();
@@ -291,7 +297,8 @@ Foam::liggghtsSession::grainArrays Foam::liggghtsSession::grains() const
     const LAMMPS_NS::Atom& atom = *lmp_->atom;
     return
     {
-        atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type
+        atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type,
+        cg_.data()
     };
 }
 
@@ -306,9 +313,14 @@ LAMMPS_NS::FluidForceExchange& Foam::liggghtsSession::fluidForce() const
 }
 
 
-double Foam::liggghtsSession::coarseGraining(const int type) const
+Foam::liggghtsSession::fluidArrays Foam::liggghtsSession::fluidForces() const
 {
-    return lmp_->force->cg(type);
+    const LAMMPS_NS::FluidForceExchange& door = fluidForce();
+    return
+    {
+        door.fluidVelocity, door.explicitForce, door.impulse,
+        door.startPosition, door.host, door.dragCoefficient
+    };
 }
 
 

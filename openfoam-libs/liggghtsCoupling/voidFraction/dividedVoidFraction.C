@@ -124,52 +124,64 @@ bool Foam::dividedVoidFraction::shareOverFace
     grainShares& shares
 ) const
 {
-    const scalar reach = outermost()*guest.radius;
-    const label first = locator_.firstFace(guest.cell);
-    const cellLocator::facePlane* planes = locator_.planes(guest.cell);
-    const vector fromCentre(guest.position - locator_.centre(guest.cell));
+    const float reach = outermost()*guest.radius;
+    const label nLanes = cellLocator::nLanes;
+
+    const cellLocator::faceBlock& here = *locator_.block(guest.cell);
+    if (here.nFaces > nLanes)
+    {
+        return false;
+    }
+    const cellLocator::lanes inside
+    (
+        here.distance
+        (
+            here.relative(locator_.fromCentre(guest.position, here))
+        )
+    );
 
     label near = -1;
-    scalar distance = 0;
-    for (label i = 0; i < locator_.nFaces(guest.cell); ++i)
+    label nNear = 0;
+    for (label i = 0; i < nLanes; ++i)
     {
-        const scalar inside = planes[i].h*planes[i].relative(fromCentre);
-        if (inside < reach)
-        {
-            if (near >= 0)
-            {
-                return false;
-            }
-            near = i;
-            distance = max(inside, scalar(0));
-        }
+        const bool reached = inside[i] < reach;
+        nNear += reached;
+        near = reached ? i : near;
     }
-    const label behind = (near < 0 ? -1 : locator_.next(first + near));
-    if (behind < 0)
+    if (nNear != 1 || here.behind[near] < 0)
     {
         return false;
     }
+    const label behind = here.behind[near];
+    const scalar distance = max(scalar(inside[near]), scalar(0));
 
     // The sphere must not reach the other faces of the cell behind either
-    const cellLocator::facePlane* others = locator_.planes(behind);
-    const vector fromBehind(guest.position - locator_.centre(behind));
-    label nShared = 0;
-    for (label i = 0; i < locator_.nFaces(behind); ++i)
+    const cellLocator::faceBlock& there = *locator_.block(behind);
+    if (there.nFaces > nLanes)
     {
-        const bool shared =
-            locator_.next(locator_.firstFace(behind) + i) == guest.cell;
-        nShared += shared;
-        if (!shared && others[i].h*others[i].relative(fromBehind) < reach)
-        {
-            return false;
-        }
+        return false;
     }
-    if (nShared != 1)
+    const cellLocator::lanes beyond
+    (
+        there.distance
+        (
+            there.relative(locator_.fromCentre(guest.position, there))
+        )
+    );
+    label nShared = 0;
+    label nOthers = 0;
+    for (label i = 0; i < nLanes; ++i)
+    {
+        const bool shared = there.behind[i] == guest.cell;
+        nShared += shared;
+        nOthers += !shared && beyond[i] < reach;
+    }
+    if (nShared != 1 || nOthers)
     {
         return false;
     }
 
-    const label n = nBeyond(planes[near].normal(), guest.radius, distance);
+    const label n = nBeyond(here.normal(near), guest.radius, distance);
     if (n > 0)
     {
         shares.add(number, guest.cell, scalar(nParts - n)/nParts);
@@ -198,23 +210,30 @@ void Foam::dividedVoidFraction::share
     }
 
     // Only the faces that the sphere may reach decide which points stay
-    const cellLocator::facePlane* planes = locator_.planes(guest.cell);
-    const vector fromCentre(guest.position - locator_.centre(guest.cell));
+    const cellLocator::faceBlock* faces = locator_.block(guest.cell);
+    const vector fromCentre(locator_.fromCentre(guest.position, *faces));
     scalar room[nParts];
     room[0] = 0;
     for (label i = 1; i < nParts; ++i)
     {
         room[i] = VGREAT;
     }
-    for (label f = 0; f < locator_.nFaces(guest.cell); ++f)
+    for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
-        const scalar distance = planes[f].h*planes[f].relative(fromCentre);
-        if (distance < outermost()*guest.radius)
+        const cellLocator::lanes distance
+        (
+            faces->distance(faces->relative(fromCentre))
+        );
+        for (label lane = 0; lane < cellLocator::nLanes; ++lane)
         {
-            const vector n(planes[f].normal());
-            for (label i = 1; i < nParts; ++i)
+            if (distance[lane] < outermost()*guest.radius)
             {
-                room[i] = min(room[i], distance - guest.radius*(n & points()[i]));
+                const vector normal(faces->normal(lane));
+                for (label i = 1; i < nParts; ++i)
+                {
+                    room[i] =
+                        min(room[i], distance[lane] - guest.radius*(normal & points()[i]));
+                }
             }
         }
     }

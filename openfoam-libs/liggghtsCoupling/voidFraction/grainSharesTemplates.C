@@ -53,30 +53,32 @@ void Foam::grainShares::settle(const CellOf& cellOf)
 }
 
 
-template<class Type, class CellOf, class Value, class Add>
-void Foam::grainShares::deposit
+template<class Type, class Add>
+Foam::label Foam::grainShares::depositOne
 (
-    const label nGuests,
-    const CellOf& cellOf,
-    const Value& value,
+    const label first,
+    const label guest,
+    const label cell,
+    const Type& whole,
     const Add& add
-)
+) const
 {
-    label i = 0;
-    for (label g = 0; g < nGuests; ++g)
+    label i = first;
+    for (; i < shares_.size() && shares_[i].guest == guest; ++i)
     {
-        const Type whole = value(g);
-        if (i == shares_.size() || shares_[i].guest != g)
-        {
-            add(cellOf(g), scalar(1), whole);
-            continue;
-        }
-        for (; i < shares_.size() && shares_[i].guest == g; ++i)
-        {
-            add(shares_[i].cell, shares_[i].fraction, whole);
-        }
+        add(shares_[i].cell, shares_[i].fraction, whole);
     }
+    if (i == first)
+    {
+        add(cell, scalar(1), whole);
+    }
+    return i;
+}
 
+
+template<class Type, class Value, class Add>
+void Foam::grainShares::depositRest(const Value& value, const Add& add)
+{
     for (const share& s : late_)
     {
         add(s.cell, s.fraction, value(s.guest));
@@ -94,6 +96,25 @@ void Foam::grainShares::deposit
             add(s.cell, s.fraction, whole);
         }
     );
+}
+
+
+template<class Type, class CellOf, class Value, class Add>
+void Foam::grainShares::deposit
+(
+    const label nGuests,
+    const CellOf& cellOf,
+    const Value& value,
+    const Add& add
+)
+{
+    label i = 0;
+    for (label g = 0; g < nGuests; ++g)
+    {
+        const Type whole = value(g);
+        i = depositOne(i, g, cellOf(g), whole, add);
+    }
+    depositRest<Type>(value, add);
 }
 
 
