@@ -101,6 +101,11 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
         {
             low_[k] = -VGREAT;
             high_[k] = VGREAT;
+        }
+
+        // A mesh that is longer than the period has no place for images
+        if (period[k] <= 0 || mesh_.bounds().span()[k] > (1 + 1e-6)*period[k])
+        {
             half_[k] = VGREAT;
         }
     }
@@ -130,7 +135,7 @@ void Foam::cellLocator::link(const cyclicPolyPatch& side)
             period[k] = sign(apart[k])*period_[k];
             isPeriod =
                 isPeriod
-             || (period_[k] > 0 && mag(apart - period) < 1e-6*period_[k]);
+             || (half_[k] < VGREAT && mag(apart - period) < 1e-6*period_[k]);
         }
         if (!isPeriod)
         {

@@ -123,7 +123,6 @@ void Foam::guestGrains::locate(const Found& found)
         }
         else
         {
-            guest.position = locator_.wrap(guest.position);
             away.append(guest);
             lastRank.append(elsewhere ? rank : -1);
             travellers_.append(atom);

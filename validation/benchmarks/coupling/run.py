@@ -15,7 +15,7 @@ other, and the median of the repetitions is given.
 with the number of grains, less that of the same grains without fix fluid/force.
 
     source environment; validation/benchmarks/coupling/run.py [--grains 20000 100000] [--ranks 1 2]
-        [--interval 50 10] [--repeat 3] [--two-way | --memory] [--output results.md]
+        [--interval 50 10] [--repeat 3] [--outer N] [--two-way | --memory] [--output results.md]
 """
 
 import argparse
@@ -74,12 +74,12 @@ def write_vortices(folder):
         "uniform (0 0 8)", f"nonuniform List<vector> {len(values)}\n(\n" + "\n".join(values) + "\n)"))
 
 
-def write_turbulence(folder):
+def write_turbulence(folder, outer):
     """kEpsilon with the schemes and linear solvers of the main job."""
     for name in ("fvSchemes", "fvSolution"):
         text = (ROOT / "cases/quickJet/system" / name).read_text()
         (folder / "system" / name).write_text(text.replace(
-            "nOuterCorrectors 1;", "nOuterCorrectors 1; pRefCell 0; pRefValue 0;"))
+            "nOuterCorrectors 1;", f"nOuterCorrectors {outer}; pRefCell 0; pRefValue 0;"))
     (folder / "constant/turbulenceProperties").write_text(
         box.HEADER.format("dictionary", "turbulenceProperties")
         + "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
@@ -91,7 +91,7 @@ def write_turbulence(folder):
             'boundaryField { ".*" { type cyclic; } }\n')
 
 
-def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False):
+def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False, outer=1):
     """The case; coupled or the fluid alone, and a script for the grains alone."""
     dt = interval * DEM_STEP
     box.write(folder, steps=steps, delta_t=dt, cells=" ".join([str(CELLS)] * 3),
@@ -105,7 +105,7 @@ def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False):
     start, stop = text.index("vertices"), text.index("blocks")
     mesh.write_text(text[:start] + "vertices (" + " ".join(
         "({:g} {:g} {:g})".format(*c) for c in corners) + ");\n" + text[stop:])
-    write_turbulence(folder)
+    write_turbulence(folder, outer)
     # one script for both: alone it runs by itself
     box.script(folder, grains="", dt=DEM_STEP, plugins=PLUGINS,
                fixes="fix contacts all hertz/cg", processors=f"processors 1 1 {ranks}")
@@ -197,6 +197,7 @@ def main():
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--interval", type=int, nargs="+", default=[50, 10])
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--outer", type=int, default=1, help="outer correctors of a fluid step")
     parser.add_argument("--two-way", action="store_true")
     parser.add_argument("--memory", action="store_true")
     parser.add_argument("--output")
@@ -221,7 +222,7 @@ def main():
                     for steps in (SHORT, LONG):
                         folder = work / f"{grains}-{ranks}-{interval}-{kind}-{steps}"
                         write_case(folder, grains, interval, ranks, steps, kind == "coupled",
-                                   options.two_way)
+                                   options.two_way, options.outer)
                         measure(["blockMesh"], folder)
                         if ranks > 1:
                             measure(["decomposePar"], folder)
