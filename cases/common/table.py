@@ -15,7 +15,7 @@ PATH = HERE.parent/"parameters.toml"
 
 # What the table may state of a run, beside its rig, particles and material
 NUMBERS = set("""rhoFluid gravity powerLaw turbulenceIntensity mixingLength cg sizeClasses endOffset
-nozzleRadius endRadius boxRadius widening airGrading jetGrading plateRadius plateRings radialBins
+nozzleRadius endRadius boxRadius widening coreSide airGrading jetGrading plateRadius plateRings radialBins
 maxRadius settleFactor sampleTime ranks D jetLength youngsModulus poissonsRatio restitution friction
 rollingFriction dParticle rhoParticle massLoading Umean Re Uinsertion uRmsAxial uRmsRadial demStep
 pipeLength insertionLength cellLength nSide nRing nAir courant rayleigh writes spinUpIterations
