@@ -6,6 +6,7 @@
 
 #include "viscousForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "fvcGrad.H"
 #include "fvcLaplacian.H"
 #include "surfaceFields.H"
 
@@ -48,20 +49,34 @@ bool isOrthogonal(const fvMesh& mesh)
 }
 
 
-// Whether the scheme is Gauss' with linear interpolation and nothing but the difference across
-// the face for the normal gradient, which "corrected" is on an orthogonal mesh
-bool isPlain(const tokenList& scheme, const bool orthogonal)
+// Whether the scheme is "Gauss linear" with this surface normal gradient
+bool isGaussLinear(const tokenList& scheme, const char* normalGradient)
 {
-    const auto word = [&](const label i)
+    const char* words[3] = {"Gauss", "linear", normalGradient};
+    bool same = (scheme.size() == 3);
+    for (label i = 0; same && i < 3; ++i)
     {
-        return
-            i < scheme.size() && scheme[i].isWord()
-          ? scheme[i].wordToken()
-          : Foam::word();
-    };
+        same = scheme[i].isWord() && scheme[i].wordToken() == words[i];
+    }
+    return same;
+}
+
+
+// Interpolate to a patch; patches that are not coupled have their values
+template<class Type>
+tmp<Field<Type>> onPatch
+(
+    const fvPatchField<Type>& values,
+    const scalarField& weights
+)
+{
+    if (!values.coupled())
+    {
+        return values;
+    }
     return
-        scheme.size() == 3 && word(0) == "Gauss" && word(1) == "linear"
-     && (word(2) == "uncorrected" || (word(2) == "corrected" && orthogonal));
+        weights*values.patchInternalField()
+      + (1 - weights)*values.patchNeighbourField();
 }
 
 } // End anonymous namespace
@@ -79,10 +94,11 @@ Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::viscousForce::addPlain
+void Foam::viscousForce::addGaussLinear
 (
     const volScalarField& nu,
     const volVectorField& U,
+    const volTensorField* gradU,
     vectorField& density
 ) const
 {
@@ -92,6 +108,8 @@ void Foam::viscousForce::addPlain
     const surfaceScalarField& area = mesh.magSf();
     const surfaceScalarField& deltas = mesh.nonOrthDeltaCoeffs();
     const surfaceScalarField& weights = mesh.weights();
+    const surfaceVectorField* corrections =
+        gradU ? &mesh.nonOrthCorrectionVectors() : nullptr;
 
     flux_.setSize(mesh.nCells());
     flux_ = Zero;
@@ -99,8 +117,16 @@ void Foam::viscousForce::addPlain
     {
         const label o = owner[facei];
         const label n = neighbour[facei];
-        const scalar nuf = weights[facei]*(nu[o] - nu[n]) + nu[n];
-        const vector flux = area[facei]*deltas[facei]*nuf*(U[n] - U[o]);
+        const scalar w = weights[facei];
+
+        vector normalGradient(deltas[facei]*(U[n] - U[o]));
+        if (gradU)
+        {
+            const vector& c = (*corrections)[facei];
+            normalGradient += w*(c & (*gradU)[o]) + (1 - w)*(c & (*gradU)[n]);
+        }
+        const vector flux =
+            area[facei]*(w*nu[o] + (1 - w)*nu[n])*normalGradient;
         flux_[o] += flux;
         flux_[n] -= flux;
     }
@@ -108,31 +134,27 @@ void Foam::viscousForce::addPlain
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& pU = U.boundaryField()[patchi];
-        const fvPatchScalarField& pNu = nu.boundaryField()[patchi];
-        const fvsPatchScalarField& pWeights = weights.boundaryField()[patchi];
-        const bool coupled = pU.coupled();
+        const scalarField& pWeights = weights.boundaryField()[patchi];
 
-        const vectorField gradient
+        vectorField normalGradient
         (
-            coupled
+            pU.coupled()
           ? pU.snGrad(deltas.boundaryField()[patchi])
           : pU.snGrad()
         );
-        const scalarField nuf
-        (
-            coupled
-          ? tmp<scalarField>
-            (
-                pWeights*pNu.patchInternalField()
-              + (1 - pWeights)*pNu.patchNeighbourField()
-            )
-          : tmp<scalarField>(pNu)
-        );
-        const labelUList& cells = pU.patch().faceCells();
+        if (gradU && pU.coupled())
+        {
+            normalGradient +=
+                corrections->boundaryField()[patchi]
+              & onPatch(gradU->boundaryField()[patchi], pWeights);
+        }
+        const tmp<scalarField> tnu(onPatch(nu.boundaryField()[patchi], pWeights));
+        const scalarField& pNu = tnu();
         const scalarField& pArea = area.boundaryField()[patchi];
+        const labelUList& cells = pU.patch().faceCells();
         forAll(cells, i)
         {
-            flux_[cells[i]] += pArea[i]*nuf[i]*gradient[i];
+            flux_[cells[i]] += pArea[i]*pNu[i]*normalGradient[i];
         }
     }
 
@@ -153,18 +175,26 @@ void Foam::viscousForce::addDensity(volVectorField& density) const
     vectorField& f = density.primitiveFieldRef();
 
     const word name("laplacian(" + tnu().name() + ',' + U.name() + ')');
+    const tokenList& scheme = fluid_.mesh().laplacianScheme(name);
+    const bool corrected = isGaussLinear(scheme, "corrected");
 
-    if (isPlain(fluid_.mesh().laplacianScheme(name), orthogonal_))
+    if (corrected && !orthogonal_)
     {
-        addPlain(tnu(), U, f);
-        return;
+        const tmp<volTensorField> tgradU(fvc::grad(U));
+        addGaussLinear(tnu(), U, &tgradU(), f);
     }
-
-    const tmp<volVectorField> tlaplacian(fvc::laplacian(tnu(), U, name));
-    const vectorField& laplacian = tlaplacian().primitiveField();
-    forAll(f, celli)
+    else if (corrected || isGaussLinear(scheme, "uncorrected"))
     {
-        f[celli] += fluid_.rho()*laplacian[celli];
+        addGaussLinear(tnu(), U, nullptr, f);
+    }
+    else
+    {
+        const tmp<volVectorField> tlaplacian(fvc::laplacian(tnu(), U, name));
+        const vectorField& laplacian = tlaplacian().primitiveField();
+        forAll(f, celli)
+        {
+            f[celli] += fluid_.rho()*laplacian[celli];
+        }
     }
 }
 

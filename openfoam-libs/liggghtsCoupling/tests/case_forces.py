@@ -3,6 +3,7 @@
 import math
 import pathlib
 import random
+import re
 import shutil
 import sys
 import unittest
@@ -29,6 +30,17 @@ class Forces(grainjet.Case):
                    end=DUMP)
         box.fv_options(self.folder, coupling="oneWay", forces=forces, interpolation=interpolation)
         self.foam("blockMesh", self.folder)
+
+    def lean(self):
+        """Move the upper end of the box sideways by half of its width, 14 degrees."""
+        path = self.folder / "system/blockMeshDict"
+        text = path.read_text()
+        start, stop = text.index("vertices"), text.index("blocks")
+        vertices = re.findall(r"\(([^()]+)\)", text[start:stop])
+        self.assertEqual(len(vertices), 8)
+        moved = [[float(v) for v in vertex.split()] for vertex in vertices]
+        path.write_text(text[:start] + "vertices (" + " ".join(
+            f"({x + z / 4} {y} {z})" for x, y, z in moved) + ");\n" + text[stop:])
 
     def test_accelerated_plug_flow(self):
         """A uniform flow that accelerates with a = 100 m/s2 in a duct with slip walls: on every
@@ -80,17 +92,17 @@ class Forces(grainjet.Case):
             self.assertLess(math.hypot(fy, fz), 1e-4 * largest)
 
     def test_viscous_in_one_pass(self):
-        """On an orthogonal mesh with "Gauss linear corrected" the viscous force is summed in one pass
-        over the faces, with other schemes by OpenFOAM's fvc::laplacian. midPoint is such another
-        scheme, and makes no difference for uniform nu: both give the same force, to
-        round-off, on a graded mesh with walls or periodic sides, on one rank and on two."""
+        """With "Gauss linear corrected" the viscous force is summed in one pass over the faces, with
+        other schemes by OpenFOAM's fvc::laplacian. midPoint is such another scheme, and makes no
+        difference for uniform nu: both give the same force, to round-off, on a graded mesh with
+        walls or periodic sides and on an oblique one, on one rank and on two."""
         rng = random.Random(5)
         U = "".join("({} {} {})\n".format(*(rng.uniform(-1, 1) for _ in range(3))) for _ in range(2000))
-        for walls in (True, False):
+        for walls, oblique in ((True, False), (False, False), (True, True)):
             forces = {}
             for scheme in ("linear", "midPoint"):
                 for ranks in (0, 2):
-                    with self.subTest(walls=walls, scheme=scheme, ranks=ranks):
+                    with self.subTest(walls=walls, oblique=oblique, scheme=scheme, ranks=ranks):
                         for old in self.folder.iterdir():
                             shutil.rmtree(old) if old.is_dir() else old.unlink()
                         self.prepare(1, boundary="f f f" if walls else "p p p", walls=walls,
@@ -105,6 +117,8 @@ class Forces(grainjet.Case):
                             text = path.read_text()
                             self.assertEqual(text.count(before), 1, name)
                             path.write_text(text.replace(before, after))
+                        if oblique:
+                            self.lean()
                         self.foam("blockMesh")
                         if ranks:
                             self.foam("decomposePar")
