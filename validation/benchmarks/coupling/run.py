@@ -37,7 +37,7 @@ import coupled_box as box
 import grainjet
 
 SIDE, CELLS = 0.037, 37
-SHORT, LONG = 4, 24          # fluid steps
+SHORT, LONG = 4, 64          # fluid steps
 DEM_STEP = 1e-6
 
 PLUGINS = "plugin load hertzcgplugin.so"
