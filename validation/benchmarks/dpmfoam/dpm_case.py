@@ -205,7 +205,8 @@ functions
     grains {{ type vtkCloud; libs ("liblagrangianFunctionObjects.so"); cloud kinematicCloud; writeControl writeTime; }}
 }}
 """)
-    shutil.copy(job/"system/decomposeParDict", case/"system")
+    for name in ("decomposeParDict", "parameters"):     # the one includes the other
+        shutil.copy(job/"system"/name, case/"system")
 
     schemes = (job/"system/fvSchemes").read_text()
     for old, new in (
