@@ -7,6 +7,8 @@
 #include "cellLocator.H"
 #include "SubField.H"
 #include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,7 +21,8 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     low_(Zero),
     period_(Zero),
     high_(Zero),
-    half_(Zero)
+    half_(Zero),
+    nSearches_(0)
 {
     const cellList& cells = mesh.cells();
     const labelList& owner = mesh.faceOwner();
@@ -110,43 +113,85 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
         }
     }
 
+    labelList cells;
+    syncTools::swapBoundaryCellList(mesh_, identity(mesh_.nCells()), cells);
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        const auto* side = isA<cyclicPolyPatch>(patch);
-        if (side)
+        if (isA<cyclicPolyPatch>(patch))
         {
-            link(*side);
+            link(refCast<const cyclicPolyPatch>(patch));
+        }
+        else if (isA<processorPolyPatch>(patch))
+        {
+            link(refCast<const processorPolyPatch>(patch), cells);
         }
     }
 }
 
 
+bool Foam::cellLocator::isPeriod(const vector& apart) const
+{
+    for (direction k = 0; k < 3; ++k)
+    {
+        vector period(Zero);
+        period[k] = sign(apart[k])*period_[k];
+        if (half_[k] < VGREAT && mag(apart - period) < 1e-6*period_[k])
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::cellLocator::setBehind(const label facei, const label behind)
+{
+    const label celli = mesh_.faceOwner()[facei];
+    const label face = mesh_.cells()[celli].find(facei);
+    faceBlock& faces = blocks_[block(celli) - blocks_.data() + face/nLanes];
+    faces.behind[face % nLanes] = behind;
+}
+
+
 void Foam::cellLocator::link(const cyclicPolyPatch& side)
 {
+    // Other periods than that of the DEM box are none for grains
     const cyclicPolyPatch& other = side.neighbPatch();
     forAll(side, i)
     {
-        // Other periods than that of the DEM box are none for grains
-        const vector apart(other.faceCentres()[i] - side.faceCentres()[i]);
-        bool isPeriod = false;
-        for (direction k = 0; k < 3; ++k)
+        if (isPeriod(other.faceCentres()[i] - side.faceCentres()[i]))
         {
-            vector period(Zero);
-            period[k] = sign(apart[k])*period_[k];
-            isPeriod =
-                isPeriod
-             || (half_[k] < VGREAT && mag(apart - period) < 1e-6*period_[k]);
+            setBehind(side.start() + i, other.faceCells()[i]);
         }
-        if (!isPeriod)
-        {
-            continue;
-        }
+    }
+}
 
-        const label celli = side.faceCells()[i];
-        const label face = mesh_.cells()[celli].find(side.start() + i);
-        faceBlock& faces =
-            blocks_[block(celli) - blocks_.data() + face/nLanes];
-        faces.behind[face % nLanes] = other.faceCells()[i];
+
+void Foam::cellLocator::link
+(
+    const processorPolyPatch& side,
+    const labelUList& cells
+)
+{
+    const bool periodic = isA<processorCyclicPolyPatch>(side);
+    forAll(side, i)
+    {
+        const label facei = side.start() + i;
+        if
+        (
+            !periodic
+         || isPeriod(side.neighbFaceCentres()[i] - side.faceCentres()[i])
+        )
+        {
+            setBehind(facei, -2 - foreign_.size());
+            foreign_.append
+            (
+                foreignCell
+                {
+                    side.neighbProcNo(), cells[facei - mesh_.nInternalFaces()]
+                }
+            );
+        }
     }
 }
 
@@ -172,7 +217,7 @@ Foam::label Foam::cellLocator::aroundBoundary
             (
                 r[i] < -tolerance_
              && distance[i] < farthest
-             && faces->behind[i] >= 0
+             && faces->behind[i] != -1
             )
             {
                 farthest = distance[i];
@@ -190,13 +235,11 @@ Foam::cellLocator::place Foam::cellLocator::find
     const label hint
 ) const
 {
-    if (hint >= 0 && hint < mesh_.nCells())
+    label end = -1;
+    const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
+    if (near.cell >= 0)
     {
-        const place near = walk(p, hint);
-        if (near.cell >= 0)
-        {
-            return near;
-        }
+        return near;
     }
 
     const point inside(wrap(p));
@@ -205,6 +248,7 @@ Foam::cellLocator::place Foam::cellLocator::find
         return {-1, 0, -1};
     }
 
+    ++nSearches_;
     const label celli = mesh_.findCell(inside);
     if (celli < 0)
     {
@@ -212,8 +256,20 @@ Foam::cellLocator::place Foam::cellLocator::find
     }
 
     // On warped faces tetrahedra and planes differ a little: the tetrahedra decide
-    const place exact = walk(inside, celli);
+    const place exact = walk(inside, celli, end);
     return exact.cell == celli ? exact : place{celli, 0, -1};
+}
+
+
+Foam::cellLocator::place Foam::cellLocator::findOrFollow
+(
+    const point& p,
+    const label hint,
+    label& end
+) const
+{
+    const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
+    return near.cell >= 0 || leadsAway(end) ? near : find(p, -1);
 }
 
 

@@ -58,7 +58,7 @@ void Foam::guestGrains::locate(const Found& found)
     };
 
     DynamicList<guestGrain> away;
-    DynamicList<label> lastRank;
+    DynamicList<label> firstRank;
 
     // Far enough ahead for memory to arrive: first that of the cell which held a grain
     // last, then that of the cell it has probably entered since
@@ -101,52 +101,79 @@ void Foam::guestGrains::locate(const Found& found)
 
     for (label atom = 0; atom < grains_.n; ++atom)
     {
-        const cellLocator::place known = places[atom % ahead];
-        const label start = starts[atom % ahead];
+        cellLocator::place place = places[atom % ahead];
+        label end = starts[atom % ahead];
         prepare(atom + ahead);
 
         guestGrain guest(asGuest(atom));
         const label rank = label(door_.host[atom][0]);
+        const label number = label(door_.host[atom][1]);
 
         // A grain that was a guest elsewhere is probably still one: it asks there first
-        const bool elsewhere =
-            rank >= 0 && rank != me && door_.host[atom][1] >= 0;
+        const bool elsewhere = rank >= 0 && rank != me && number >= 0;
 
-        const cellLocator::place place =
-            known.cell >= 0 ? known
-          : elsewhere ? cellLocator::place{-1, 0, -1}
-          : locator_.find(guest.position, start);
+        if (place.cell < 0 && !elsewhere && !cellLocator::leadsAway(end))
+        {
+            place = locator_.findOrFollow(guest.position, end, end);
+        }
 
         if (place.cell >= 0)
         {
             admit(guest, place, atom);
+            continue;
         }
-        else
+
+        label first = -1;
+        if (elsewhere)
         {
-            away.append(guest);
-            lastRank.append(elsewhere ? rank : -1);
-            travellers_.append(atom);
+            first = rank;
+            guest.cell = -2 - number;
         }
+        else if (cellLocator::leadsAway(end))
+        {
+            first = locator_.foreign(end).rank;
+            guest.cell = locator_.foreign(end).cell;
+        }
+        away.append(guest);
+        firstRank.append(first);
+        travellers_.append(atom);
     }
 
-    // A host has no hint for a traveller but the cell it found last: grains that
-    // arrive together are neighbours
+    // Without a hint a host has but the cell it found last: grains that arrive together are
+    // neighbours
     label near = -1;
     const labelList owner = route_.establish<guestGrain>
     (
         away,
-        lastRank,
-        [&](guestGrain guest) -> label
+        firstRank,
+        [&](guestGrain guest) -> ownerRoute::reply
         {
-            const cellLocator::place place = locator_.find(guest.position, near);
-            if (place.cell < 0)
+            const label hint =
+                guest.cell < -1 ? formerCell(-2 - guest.cell) : guest.cell;
+            label end = -1;
+            const cellLocator::place place =
+                hint >= 0 ? locator_.findOrFollow(guest.position, hint, end)
+              : locator_.find(guest.position, near);
+
+            if (place.cell >= 0)
             {
-                return -1;
+                near = place.cell;
+                admit(guest, place, -1 - visitors_.size());
+                visitors_.append(guest);
+                return ownerRoute::reply{cells_.size() - 1, -1, -1};
             }
-            near = place.cell;
-            admit(guest, place, -1 - visitors_.size());
-            visitors_.append(guest);
-            return cells_.size() - 1;
+            return ownerRoute::reply::refusal(locator_, end);
+        },
+        [&](const label i)
+        {
+            label end;
+            const cellLocator::place place =
+                locator_.findOrFollow(away[i].position, away[i].cell, end);
+            if (place.cell >= 0)
+            {
+                admit(away[i], place, travellers_[i]);
+            }
+            return place.cell >= 0;
         }
     );
     visitorActions_.setSize(visitors_.size());
@@ -159,9 +186,9 @@ void Foam::guestGrains::locate(const Found& found)
             continue;
         }
 
-        // Once a guest elsewhere, now perhaps back where it lives
+        // Not searched here so far, if it was sent elsewhere at once
         const cellLocator::place place =
-            lastRank[i] >= 0
+            firstRank[i] >= 0
           ? locator_.find(away[i].position, -1)
           : cellLocator::place{-1, 0, -1};
 

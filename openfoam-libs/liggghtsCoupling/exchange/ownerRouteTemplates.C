@@ -43,12 +43,13 @@ Foam::label Foam::ownerRoute::exchange
 }
 
 
-template<class Item, class Accept>
+template<class Item, class Accept, class Home>
 Foam::labelList Foam::ownerRoute::establish
 (
-    const UList<Item>& items,
+    UList<Item>& items,
     const labelUList& first,
-    const Accept& accept
+    const Accept& accept,
+    const Home& home
 )
 {
     forAll(sent_, proci)
@@ -64,26 +65,38 @@ Foam::labelList Foam::ownerRoute::establish
         return owner;
     }
 
-    // The rank that is asked in this round; after the preferred one
+    // The rank that is asked in this round; after those that were named
     // the candidates follow in their order
-    labelList asked(items.size());
+    labelList asked(first);
+    labelList hops(items.size(), 0);
     labelList lastCandidate(items.size(), -1);
     DynamicList<label> pending(items.size());
 
-    forAll(items, i)
+    const auto askCandidate = [&](const label i)
     {
-        asked[i] = first[i];
-        if (asked[i] < 0 || asked[i] == Pstream::myProcNo())
-        {
-            asked[i] = lastCandidate[i] = nextCandidate(items[i].position, -1);
-        }
+        items[i].cell = -1;
+        asked[i] = lastCandidate[i] =
+            nextCandidate(items[i].position, lastCandidate[i]);
         if (asked[i] >= 0)
         {
             pending.append(i);
         }
+    };
+
+    forAll(items, i)
+    {
+        if (asked[i] >= 0)
+        {
+            pending.append(i);
+        }
+        else
+        {
+            askCandidate(i);
+        }
     }
 
     const label nProcs = Pstream::nProcs();
+    const label me = Pstream::myProcNo();
 
     while (returnReduce(pending.size(), sumOp<label>()))
     {
@@ -94,8 +107,9 @@ Foam::labelList Foam::ownerRoute::establish
             asks[asked[i]].append(items[i]);
             askedItems[asked[i]].append(i);
         }
+        pending.clear();
 
-        List<DynamicList<label>> answers(nProcs);
+        List<DynamicList<reply>> replies(nProcs);
         bytes_ += exchange<Item>
         (
             asks,
@@ -103,46 +117,53 @@ Foam::labelList Foam::ownerRoute::establish
             {
                 for (const Item& item : incoming)
                 {
-                    const label stored = accept(item);
-                    answers[proci].append(stored);
-                    if (stored >= 0)
+                    replies[proci].append(accept(item));
+                    if (replies[proci].last().stored >= 0)
                     {
-                        received_[proci].append(stored);
+                        received_[proci].append(replies[proci].last().stored);
                     }
                 }
             }
         );
 
-        DynamicList<label> again;
-        bytes_ += exchange<label>
+        bytes_ += exchange<reply>
         (
-            answers,
-            [&](const label proci, const UList<label>& stored)
+            replies,
+            [&](const label proci, const UList<reply>& answers)
             {
-                forAll(stored, k)
+                forAll(answers, k)
                 {
                     const label i = askedItems[proci][k];
-                    if (stored[k] >= 0)
+                    const reply& answer = answers[k];
+                    if (answer.stored >= 0)
                     {
                         owner[i] = proci;
                         sent_[proci].append(i);
                         continue;
                     }
 
-                    label next = nextCandidate(items[i].position, lastCandidate[i]);
-                    if (next == first[i] && next >= 0)
+                    items[i].cell = answer.cell;
+                    if (answer.rank == me && home(i))
                     {
-                        next = nextCandidate(items[i].position, next);
+                        owner[i] = me;
                     }
-                    if (next >= 0)
+                    else if
+                    (
+                        answer.rank >= 0 && answer.rank != me
+                     && answer.rank != proci && hops[i] < maxHops_
+                    )
                     {
-                        asked[i] = lastCandidate[i] = next;
-                        again.append(i);
+                        ++hops[i];
+                        asked[i] = answer.rank;
+                        pending.append(i);
+                    }
+                    else
+                    {
+                        askCandidate(i);
                     }
                 }
             }
         );
-        pending.transfer(again);
     }
 
     return owner;

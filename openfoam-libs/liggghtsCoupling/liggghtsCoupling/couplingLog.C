@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingLog.H"
+#include "labelVector.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -115,6 +116,11 @@ void Foam::couplingLog::writeTableHeader()
         os,
         "momentum [N s] in this step to the grains; to the fluid and still owed to it: step before"
     );
+    writeHeader
+    (
+        os,
+        "bytes sent and searches through the mesh: since the start"
+    );
     writeCommented(os, "Time");
     for
     (
@@ -125,7 +131,7 @@ void Foam::couplingLog::writeTableHeader()
             "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
             "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
             "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling",
-            "travelling", "bytes"
+            "travelling", "bytes", "searches"
         }
     )
     {
@@ -190,7 +196,13 @@ void Foam::couplingLog::write(const step& values)
     const scalar volumeCut = returnReduce(values.volumeCut, sumOp<scalar>());
     warn(maxSolidFraction);
 
-    left_ += returnReduce(values.left, sumOp<label>());
+    const labelVector numbers = returnReduce
+    (
+        labelVector(values.left, values.travelling, values.searches),
+        sumOp<labelVector>()
+    );
+    left_ += numbers[0];
+    const label travelling = numbers[1];
     const scalar unaccounted =
         values.counts.inserted - values.counts.present - left_;
     miss(unaccounted);
@@ -200,7 +212,6 @@ void Foam::couplingLog::write(const step& values)
         vector(values.slipSum, values.guests, values.bytes),
         sumOp<vector>()
     );
-    const label travelling = returnReduce(values.travelling, sumOp<label>());
     const scalar slip = sums[1] > 0 ? sums[0]/sums[1] : 0;
 
     const vector toGrains = returnReduce(values.toGrains, sumOp<vector>());
@@ -267,7 +278,8 @@ void Foam::couplingLog::write(const step& values)
         }
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << values.couplingSeconds
-            << tab << travelling << tab << sums[2] << endl;
+            << tab << travelling << tab << sums[2] << tab << numbers[2]
+            << endl;
     }
 }
 

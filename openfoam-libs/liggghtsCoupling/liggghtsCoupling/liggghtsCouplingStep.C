@@ -270,6 +270,7 @@ void Foam::fv::liggghtsCoupling::advance()
     step.left = guests_->left();
     step.outside = guests_->outside();
     step.travelling = guests_->travelling();
+    step.searches = locator_.searches();
     step.bytes = guests_->bytes() + shares_.bytes();
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
     log_.write(step);

@@ -266,14 +266,15 @@ void Foam::dividedVoidFraction::share
         }
 
         const point p = guest.position + guest.radius*points()[i];
-        const label celli = locator_.walk(p, guest.cell).cell;
+        label end;
+        const label celli = locator_.walk(p, guest.cell, end).cell;
         if (celli >= 0)
         {
             count(celli);
         }
         else
         {
-            shares.addSatellite(number, locator_.wrap(p), 1.0/nParts);
+            shares.addSatellite(number, locator_.wrap(p), 1.0/nParts, end);
         }
     }
 

@@ -26,6 +26,7 @@ void Foam::grainShares::clear()
     shares_.clear();
     late_.clear();
     satellites_.clear();
+    firstRank_.clear();
     foreign_.clear();
 }
 

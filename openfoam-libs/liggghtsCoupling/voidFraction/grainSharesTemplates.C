@@ -15,17 +15,34 @@ void Foam::grainShares::settle(const CellOf& cellOf)
     const labelList owner = route_.establish<satellite>
     (
         satellites_,
-        labelList(satellites_.size(), -1),
-        [&](const satellite& item) -> label
+        firstRank_,
+        [&](const satellite& item) -> ownerRoute::reply
         {
-            const cellLocator::place place = locator_.find(item.position, near);
-            if (place.cell < 0)
+            label end = -1;
+            const cellLocator::place place =
+                item.cell >= 0
+              ? locator_.findOrFollow(item.position, item.cell, end)
+              : locator_.find(item.position, near);
+
+            if (place.cell >= 0)
             {
-                return -1;
+                near = place.cell;
+                foreign_.append(share{-1, place.cell, item.fraction});
+                return ownerRoute::reply{foreign_.size() - 1, -1, -1};
             }
-            near = place.cell;
-            foreign_.append(share{-1, place.cell, item.fraction});
-            return foreign_.size() - 1;
+            return ownerRoute::reply::refusal(locator_, end);
+        },
+        [&](const label i)
+        {
+            const satellite& item = satellites_[i];
+            label end;
+            const label celli =
+                locator_.findOrFollow(item.position, item.cell, end).cell;
+            if (celli >= 0)
+            {
+                late_.append(share{item.guest, celli, item.fraction});
+            }
+            return celli >= 0;
         }
     );
 
