@@ -23,6 +23,7 @@ FixStyle(hertz/cg,FixHertzCg)
 #include "hertz-cg/wall_axes.h"
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -144,7 +145,16 @@ class FixHertzCg : public Fix {
 
   void reduce();
   double elastic_energy() const;
-  void timestep_percent(double &rayleigh, double &hertz) const;
+
+  struct Grain {
+    double key = 0.0;      // kg^power, what the time grows with when divided by the radius
+    double radius = 0.0;   // m; zero: there is none
+    double mass = 0.0;     // kg
+  };
+  std::vector<Grain> quickest(int power) const;
+  double percent_of(double shortest) const;
+  double rayleigh_percent() const;
+  double hertz_percent() const;
 };
 
 }

@@ -28,11 +28,12 @@ using namespace LAMMPS_NS;
 double FixHertzCg::compute_vector(int n)
 {
   if (reduced_step_ != update->ntimestep || update->setupflag) reduce();
-  return reduced_[n];
+  return n == 4 ? hertz_percent() : reduced_[n];
 }
 
 /* ----------------------------------------------------------------------
-   all seven at once: every rank asks for the first of them together
+   all but one at once: every rank asks for the first of them together. The Hertz time is not for
+   a coupled run, which asks every fluid step
 ------------------------------------------------------------------------- */
 
 void FixHertzCg::reduce()
@@ -50,7 +51,7 @@ void FixHertzCg::reduce()
   reduced_[0] = sum[0];
   reduced_[1] = sum[1];
   reduced_[2] = deepest;
-  timestep_percent(reduced_[3], reduced_[4]);
+  reduced_[3] = rayleigh_percent();
   reduced_[5] = sum[2];
   // what the contacts took from the motion and did not keep in their springs
   reduced_[6] = sum[4] - sum[3] - sum[2];
@@ -58,58 +59,75 @@ void FixHertzCg::reduce()
 }
 
 /* ----------------------------------------------------------------------
-   The Hertz time is that of two equal grains that meet at twice the largest speed, over all
-   grains, as in the stock `fix check/timestep/gran`. No grains: 0 %.
+   of each type the grain with the smallest m^power/R, which has the shortest time, so that roots
+   and powers are for this one only. Products, since a division takes longer than all the rest
 ------------------------------------------------------------------------- */
 
-void FixHertzCg::timestep_percent(double &rayleigh, double &hertz) const
+std::vector<FixHertzCg::Grain> FixHertzCg::quickest(int power) const
 {
-  using namespace grainjet::contact;
+  std::vector<Grain> found(atom->ntypes + 1);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double R = atom->radius[i], m = atom->rmass[i];
+    const double key = power == 2 ? m * m : m;
+    Grain &best = found[atom->type[i]];
+    if (best.radius <= 0.0 || key * best.radius < best.key * R) best = {key, R, m};
+  }
+  return found;
+}
 
+/* ----------------------------------------------------------------------
+   The time step in % of the shortest time of all grains. No grains: 0 %.
+------------------------------------------------------------------------- */
+
+double FixHertzCg::percent_of(double shortest) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, &shortest, 1, MPI_DOUBLE, MPI_MIN, world);
+  return 100.0 * update->dt / shortest;
+}
+
+double FixHertzCg::rayleigh_percent() const
+{
+  const std::vector<Grain> wave = quickest(1);
+  double shortest = HUGE_VAL;
+  for (int type = 1; type <= atom->ntypes; ++type) {
+    const double R = wave[type].radius;
+    if (R <= 0.0) continue;
+    const double density = wave[type].mass / (4.0 / 3.0 * 3.14159265358979323846 * R * R * R);
+    shortest = std::min(shortest, grainjet::contact::rayleighTime(R, density, materials_.youngs(type),
+                                                                  materials_.poisson(type)));
+  }
+  return percent_of(shortest);
+}
+
+/* ----------------------------------------------------------------------
+   Of two equal grains that meet at twice the largest speed, over all grains, as in the stock
+   `fix check/timestep/gran`
+------------------------------------------------------------------------- */
+
+double FixHertzCg::hertz_percent() const
+{
   double fastest = 0.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double *v = atom->v[i];
     fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
   MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
-  const double speed = 2.0 * std::sqrt(fastest);
 
-  // of grains of one type the Rayleigh time grows with m/R, the Hertz time with m^2/R: the
-  // roots and powers are for the smallest of each only, since a coupled run asks every fluid step
-  struct Smallest {
-    double key = HUGE_VAL, radius = 0.0, mass = 0.0;
-    void take(double k, double R, double m) { if (k < key) { key = k; radius = R; mass = m; } }
-  };
-  std::vector<Smallest> quickest_wave(atom->ntypes + 1), shortest_impact(atom->ntypes + 1);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double R = atom->radius[i], m = atom->rmass[i];
-    quickest_wave[atom->type[i]].take(m / R, R, m);
-    shortest_impact[atom->type[i]].take(m * m / R, R, m);
-  }
-
-  double shortest[2] = {HUGE_VAL, HUGE_VAL};
-  for (int type = 1; type <= atom->ntypes; ++type) {
-    const Smallest &wave = quickest_wave[type], &impact = shortest_impact[type];
-    if (wave.radius <= 0.0) continue;
-    const double R = wave.radius;
-    const double density = wave.mass / (4.0 / 3.0 * 3.14159265358979323846 * R * R * R);
-    shortest[0] = std::min(shortest[0], rayleighTime(R, density, materials_.youngs(type), materials_.poisson(type)));
-    if (speed > 0.0)
-      shortest[1] = std::min(shortest[1], hertzTime(0.5 * impact.mass, 0.5 * impact.radius,
-                                                    materials_(type, type).material.youngs, speed));
-  }
-  MPI_Allreduce(MPI_IN_PLACE, shortest, 2, MPI_DOUBLE, MPI_MIN, world);
-  rayleigh = 100.0 * update->dt / shortest[0];
-  hertz = 100.0 * update->dt / shortest[1];
+  const std::vector<Grain> impact = quickest(2);
+  double shortest = HUGE_VAL;
+  for (int type = 1; fastest > 0.0 && type <= atom->ntypes; ++type)
+    if (impact[type].radius > 0.0)
+      shortest = std::min(shortest, grainjet::contact::hertzTime(0.5 * impact[type].mass, 0.5 * impact[type].radius,
+        materials_(type, type).material.youngs, 2.0 * std::sqrt(fastest)));
+  return percent_of(shortest);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixHertzCg::end_of_step()
 {
-  double percent[2];
-  timestep_percent(percent[0], percent[1]);
+  const double percent[2] = {rayleigh_percent(), hertz_percent()};
   const char *name[2] = {"Rayleigh", "Hertz"};
   for (int n = 0; n < 2; ++n) {
     if (percent[n] <= 100.0 * timestep_fraction_) continue;
