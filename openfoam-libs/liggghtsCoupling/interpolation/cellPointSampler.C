@@ -7,7 +7,6 @@
 #include "cellPointSampler.H"
 #include "addToRunTimeSelectionTable.H"
 #include "cellPointWeight.H"
-#include "volPointInterpolation.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,95 +23,16 @@ namespace
 {
 
 // Ask for memory that will be read: both ends, since it may lie in two cache lines
-inline void fetch(const void* first, const std::size_t size)
+inline void fetch(const Foam::point& p)
 {
-    __builtin_prefetch(first);
-    __builtin_prefetch(static_cast<const char*>(first) + size - 1);
+    __builtin_prefetch(&p);
+    __builtin_prefetch(&p.z());
 }
 
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::cellPointSampler::makePoints
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
-{
-    const fvMesh& mesh = U.mesh();
-    const pointMesh& pMesh = pointMesh::New(mesh);
-    const auto io = [&](const char* name)
-    {
-        return IOobject(name, mesh.time().timeName(), mesh);
-    };
-
-    pointU_.reset
-    (
-        new pointVectorField
-        (
-            io("grainPointU"), pMesh, dimensionedVector(U.dimensions(), Zero)
-        )
-    );
-    pointForce_.reset
-    (
-        new pointVectorField
-        (
-            io("grainPointForce"), pMesh, dimensionedVector(force.dimensions(), Zero)
-        )
-    );
-    pointVoidFraction_.reset
-    (
-        new pointScalarField
-        (
-            io("grainPointVoidFraction"), pMesh, dimensionedScalar(dimless, Zero)
-        )
-    );
-
-    // volPointInterpolation keeps its weights, inverse distances over their sum, to itself.
-    // The sum over this side's cells it tells as the interpolation of 1: less than 1 on
-    // coupled boundaries, and nothing on others, where cells have no part
-    const volScalarField one(io("one"), mesh, dimensionedScalar("one", dimless, scalar(1)));
-    pointScalarField sum(io("sum"), pMesh, dimensionedScalar(dimless, Zero));
-    volPointInterpolation::New(mesh).interpolateInternalField(one, sum);
-
-    const labelListList& pointCells = mesh.pointCells();
-    firstWeight_.setSize(mesh.nPoints() + 1);
-    DynamicList<cellWeight> weights(8*mesh.nPoints());
-    forAll(mesh_.points(), pointi)
-    {
-        firstWeight_[pointi] = weights.size();
-        if (sum[pointi] <= 0)
-        {
-            continue;
-        }
-
-        scalar all = 0;
-        for (const label celli : pointCells[pointi])
-        {
-            const scalar inverse =
-                1/mag(mesh.points()[pointi] - mesh.cellCentres()[celli]);
-            weights.append(cellWeight{celli, inverse});
-            all += inverse;
-        }
-        for (label i = firstWeight_[pointi]; i < weights.size(); ++i)
-        {
-            weights[i].weight *= sum[pointi]/all;
-        }
-    }
-    firstWeight_.last() = weights.size();
-    weights_.assign(weights.begin(), weights.end());
-
-    bitSet onBoundary(mesh.nPoints());
-    for (label facei = mesh.nInternalFaces(); facei < mesh.nFaces(); ++facei)
-    {
-        onBoundary.setMany(mesh.faces()[facei].begin(), mesh.faces()[facei].end());
-    }
-    boundaryPoints_ = onBoundary.sortedToc();
-}
-
 
 bool Foam::cellPointSampler::inPyramid
 (
@@ -135,35 +55,38 @@ bool Foam::cellPointSampler::inPyramid
         return false;
     }
 
+    // Both tetrahedra have the centre, the base b and the opposite corner d, and each one of the
+    // corners beside them, q: r = wb b + wd d + wq q by Cramer's rule
     const point& centre = locator_.block(grain.cell)->centre;
     const vector r = grain.position - centre;
     const vector b = positions_[corners[0]] - centre;
+    const vector d = positions_[corners[2]] - centre;
+    const vector between = b ^ d;
+    const vector rb = r ^ b;
+    const vector dr = d ^ r;
+    const scalar side = between & r;
 
-    // The plane through centre, base and the opposite corner is between the two: first
-    // the one on whose side the grain is
-    const vector between = b ^ (positions_[corners[2]] - centre);
-    const scalar first = between & (positions_[corners[1]] - centre);
-    const bool second = (between & r)*first < 0;
+    // First the one on whose side the grain is: a number rather than a branch, of which half
+    // would be foretold wrong. A triangle has but one
+    const bool triangle = (corners[3] == corners[2]);
+    const bool other = (between & (positions_[corners[1]] - centre))*side < 0;
+    label beside = 1 + 2*(other && !triangle);
 
-    for (const label i : {1 + second, 2 - second})
+    for (label i = 0; i < 2 - triangle; ++i, beside = 4 - beside)
     {
-        const label pa = corners[i];
-        const label pc = corners[i + 1];
-        const vector a = positions_[pa] - centre;
-        const vector c = positions_[pc] - centre;
+        const vector q = positions_[corners[beside]] - centre;
+        const scalar inverse = 1/(between & q);
+        const scalar wb = -(dr & q)*inverse;
+        const scalar wd = -(rb & q)*inverse;
+        const scalar wq = side*inverse;
+        const scalar w0 = 1 - wb - wd - wq;
 
-        // Cramer's rule for r = wb b + wa a + wc c
-        const vector ac = a ^ c;
-        const scalar inverse = 1/(b & ac);
-        const vector rb = r ^ b;
-        const scalar wb = (r & ac)*inverse;
-        const scalar wa = (rb & c)*(-inverse);
-        const scalar wc = (rb & a)*inverse;
-        const scalar w0 = 1 - wa - wb - wc;
-
-        if (min(min(wa, wb), min(wc, w0)) >= tolerance)
+        if (min(min(wb, wd), min(wq, w0)) >= tolerance)
         {
-            result = weights{{w0, wb, wa, wc}, {corners[0], pa, pc}};
+            result = weights
+            {
+                {w0, wb, wd, wq}, {corners[0], corners[2], corners[beside]}
+            };
             return true;
         }
     }
@@ -197,8 +120,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
     locator_(locator),
     corners_(locator.nFaces()),
     positions_(mesh_.points().begin(), mesh_.points().end()),
-    cells_(mesh_.nCells()),
-    points_(mesh_.nPoints())
+    values_(mesh_)
 {
     const faceList& faces = mesh_.faces();
     const labelList& bases = mesh_.tetBasePtIs();
@@ -236,51 +158,7 @@ void Foam::cellPointSampler::update
     const volScalarField& voidFraction
 )
 {
-    if (!pointU_)
-    {
-        makePoints(U, force, voidFraction);
-    }
-
-    forAll(mesh_.cells(), i)
-    {
-        packed& cell = cells_[i];
-        cell.set(packed::U, U[i]);
-        cell.set(packed::force, force[i]);
-        cell.values[packed::voidFraction] = voidFraction[i];
-    }
-
-    const cellWeight* part = weights_.data();
-    forAll(mesh_.points(), i)
-    {
-        packed sum{};
-        for (const cellWeight* end = weights_.data() + firstWeight_[i + 1]; part < end; ++part)
-        {
-            sum.add(part->weight, cells_[part->cell]);
-        }
-        points_[i] = sum;
-    }
-
-    // Boundaries: other sides of coupled ones, values of patches, constraints
-    const volPointInterpolation& toPoints = volPointInterpolation::New(U.mesh());
-    vectorField& pU = pointU_->primitiveFieldRef();
-    vectorField& pForce = pointForce_->primitiveFieldRef();
-    scalarField& pVoidFraction = pointVoidFraction_->primitiveFieldRef();
-
-    for (const label i : boundaryPoints_)
-    {
-        pU[i] = points_[i].get(packed::U);
-        pForce[i] = points_[i].get(packed::force);
-        pVoidFraction[i] = points_[i].values[packed::voidFraction];
-    }
-    toPoints.interpolateBoundaryField(U, *pointU_, false);
-    toPoints.interpolateBoundaryField(force, *pointForce_, false);
-    toPoints.interpolateBoundaryField(voidFraction, *pointVoidFraction_, false);
-    for (const label i : boundaryPoints_)
-    {
-        points_[i].set(packed::U, pU[i]);
-        points_[i].set(packed::force, pForce[i]);
-        points_[i].values[packed::voidFraction] = pVoidFraction[i];
-    }
+    values_.update(U, force, voidFraction);
 }
 
 
@@ -288,10 +166,10 @@ void Foam::cellPointSampler::soon(const label celli, const label pyramid) const
 {
     if (pyramid >= 0)
     {
-        fetch(&corners_[pyramid], sizeof(corners_[0]));
+        __builtin_prefetch(&corners_[pyramid]);
     }
-    fetch(&cells_[celli], sizeof(packed));
-    fetch(&locator_.block(celli)->centre, sizeof(point));
+    __builtin_prefetch(&values_.inCell(celli));
+    fetch(locator_.block(celli)->centre);
 }
 
 
@@ -301,8 +179,8 @@ void Foam::cellPointSampler::verySoon(const label pyramid) const
     {
         for (const label pointi : corners_[pyramid])
         {
-            fetch(&points_[pointi], sizeof(packed));
-            fetch(&positions_[pointi], sizeof(point));
+            __builtin_prefetch(&values_.atPoint(pointi));
+            fetch(positions_[pointi]);
         }
     }
 }
@@ -319,11 +197,12 @@ Foam::fluidSampler::sample Foam::cellPointSampler::at
         search(grain, at);
     }
 
+    typedef pointValues::packed packed;
     packed sum{};
-    sum.add(at.w[0], cells_[grain.cell]);
+    sum.add(at.w[0], values_.inCell(grain.cell));
     for (direction k = 0; k < 3; ++k)
     {
-        sum.add(at.w[k + 1], points_[at.points[k]]);
+        sum.add(at.w[k + 1], values_.atPoint(at.points[k]));
     }
     return sample
     {
