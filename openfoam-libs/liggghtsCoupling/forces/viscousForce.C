@@ -9,6 +9,7 @@
 #include "fvcGrad.H"
 #include "fvcLaplacian.H"
 #include "surfaceFields.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -88,6 +89,11 @@ Foam::viscousForce::viscousForce(const carrierFluid& fluid)
 :
     grainForce(fluid),
     orthogonal_(isOrthogonal(fluid.mesh())),
+    areaOverDistance_
+    (
+        fluid.mesh().magSf().primitiveField()
+       *fluid.mesh().nonOrthDeltaCoeffs().primitiveField()
+    ),
     flux_()
 {}
 
@@ -111,22 +117,36 @@ void Foam::viscousForce::addGaussLinear
     const surfaceVectorField* corrections =
         gradU ? &mesh.nonOrthCorrectionVectors() : nullptr;
 
+    // What a face lies between then need not be read for each of them
+    const bool uniform = std::all_of
+    (
+        nu.begin(), nu.end(), [&](const scalar v){ return v == nu[0]; }
+    );
+
     flux_.setSize(mesh.nCells());
     flux_ = Zero;
     forAll(neighbour, facei)
     {
         const label o = owner[facei];
         const label n = neighbour[facei];
-        const scalar w = weights[facei];
 
-        vector normalGradient(deltas[facei]*(U[n] - U[o]));
+        vector flux(areaOverDistance_[facei]*(U[n] - U[o]));
         if (gradU)
         {
+            const scalar w = weights[facei];
             const vector& c = (*corrections)[facei];
-            normalGradient += w*(c & (*gradU)[o]) + (1 - w)*(c & (*gradU)[n]);
+            flux +=
+                area[facei]*(w*(c & (*gradU)[o]) + (1 - w)*(c & (*gradU)[n]));
         }
-        const vector flux =
-            area[facei]*(w*nu[o] + (1 - w)*nu[n])*normalGradient;
+        if (uniform)
+        {
+            flux *= nu[0];
+        }
+        else
+        {
+            const scalar w = weights[facei];
+            flux *= w*nu[o] + (1 - w)*nu[n];
+        }
         flux_[o] += flux;
         flux_[n] -= flux;
     }
