@@ -22,6 +22,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     period_(Zero),
     high_(Zero),
     half_(Zero),
+    imagesFromAnywhere_(true),
     nSearches_(0)
 {
     const cellList& cells = mesh.cells();
@@ -98,6 +99,7 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
     period_ = period;
     high_ = low + period;
     half_ = period/2;
+    imagesFromAnywhere_ = true;
     for (direction k = 0; k < 3; ++k)
     {
         if (period[k] <= 0)
@@ -107,9 +109,14 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
         }
 
         // A mesh that is longer than the period has no place for images
-        if (period[k] <= 0 || mesh_.bounds().span()[k] > (1 + 1e-6)*period[k])
+        const bool longer = mesh_.bounds().span()[k] > (1 + 1e-6)*period[k];
+        if (period[k] <= 0 || longer)
         {
             half_[k] = VGREAT;
+        }
+        if (period[k] > 0 && longer)
+        {
+            imagesFromAnywhere_ = false;
         }
     }
 

@@ -37,6 +37,9 @@ scalar shellRadius(const scalar begin, const scalar end)
     return 0.75*(Foam::pow4(b) - Foam::pow4(a))/(Foam::pow3(b) - Foam::pow3(a));
 }
 
+const scalar innerShell = shellRadius(1, 15);
+const scalar outerShell = shellRadius(15, 29);
+
 
 Foam::FixedList<Foam::vector, Foam::dividedVoidFraction::nParts> makePoints()
 {
@@ -45,7 +48,7 @@ Foam::FixedList<Foam::vector, Foam::dividedVoidFraction::nParts> makePoints()
     Foam::label n = 0;
     points[n++] = Foam::Zero;
 
-    for (const scalar r : {shellRadius(1, 15), shellRadius(15, 29)})
+    for (const scalar r : {innerShell, outerShell})
     {
         for (Foam::direction k = 0; k < 3; ++k)
         {
@@ -83,16 +86,21 @@ Foam::label nBeyond(const Foam::vector& n, const scalar R, const scalar distance
         c*(n.x() + n.y() + n.z()), c*(n.x() + n.y() - n.z()),
         c*(n.x() - n.y() + n.z()), c*(n.x() - n.y() - n.z())
     };
-    static const scalar inner = shellRadius(1, 15);
-    const scalar outer = Foam::dividedVoidFraction::outermost();
 
     Foam::label count = 0;
     for (const scalar a : along)
     {
         const scalar reach = Foam::mag(a)*R;
-        count += (inner*reach > distance) + (outer*reach > distance);
+        count += (innerShell*reach > distance) + (outerShell*reach > distance);
     }
     return count;
+}
+
+
+// Is one bit set, and no other?
+bool isSingle(const unsigned bits)
+{
+    return bits && !(bits & (bits - 1));
 }
 
 } // End anonymous namespace
@@ -110,8 +118,7 @@ Foam::dividedVoidFraction::points()
 
 Foam::scalar Foam::dividedVoidFraction::outermost()
 {
-    static const scalar r = shellRadius(15, 29);
-    return r;
+    return outerShell;
 }
 
 
@@ -124,7 +131,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     grainShares& shares
 ) const
 {
-    const float reach = outermost()*guest.radius;
+    const float reach = outerShell*guest.radius;
     const label nLanes = cellLocator::nLanes;
 
     const cellLocator::faceBlock& here = *locator_.block(guest.cell);
@@ -140,15 +147,13 @@ bool Foam::dividedVoidFraction::shareOverFace
         )
     );
 
-    label near = -1;
-    label nNear = 0;
-    for (label i = 0; i < nLanes; ++i)
+    const unsigned reached = inside.atMost(reach);
+    if (!isSingle(reached))
     {
-        const bool reached = inside[i] < reach;
-        nNear += reached;
-        near = reached ? i : near;
+        return false;
     }
-    if (nNear != 1 || here.behind[near] < 0)
+    const label near = __builtin_ctz(reached);
+    if (here.behind[near] < 0)
     {
         return false;
     }
@@ -168,15 +173,12 @@ bool Foam::dividedVoidFraction::shareOverFace
             there.relative(locator_.fromCentre(guest.position, there))
         )
     );
-    label nShared = 0;
-    label nOthers = 0;
+    unsigned shared = 0;
     for (label i = 0; i < nLanes; ++i)
     {
-        const bool shared = there.behind[i] == guest.cell;
-        nShared += shared;
-        nOthers += !shared && beyond[i] < reach;
+        shared |= unsigned(there.behind[i] == guest.cell) << i;
     }
-    if (nShared != 1 || nOthers)
+    if (!isSingle(shared) || (beyond.atMost(reach) & ~shared))
     {
         return false;
     }
@@ -202,7 +204,7 @@ void Foam::dividedVoidFraction::share
 {
     if
     (
-        guest.clearance >= outermost()*guest.radius
+        guest.clearance >= outerShell*guest.radius
      || shareOverFace(number, guest, shares)
     )
     {
@@ -226,7 +228,7 @@ void Foam::dividedVoidFraction::share
         );
         for (label lane = 0; lane < cellLocator::nLanes; ++lane)
         {
-            if (distance[lane] < outermost()*guest.radius)
+            if (distance[lane] < outerShell*guest.radius)
             {
                 const vector normal(faces->normal(lane));
                 for (label i = 1; i < nParts; ++i)
