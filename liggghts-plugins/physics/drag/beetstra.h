@@ -8,6 +8,7 @@
 #define GRAINJET_DRAG_BEETSTRA_H
 
 #include "drag_state.h"
+#include "power.h"
 #include <cmath>
 
 namespace grainjet {
@@ -24,11 +25,11 @@ namespace drag {
    expanded by Re^(1/2 + 2 phi), so that it holds at Re = 0 as well. Continuous.     */
 inline double beetstra(const State &s)
 {
-  const double eps = s.voidFraction, phi = 1.0 - eps, re = reynolds(s);
-  const double power = std::pow(re, 0.5 + 2.0 * phi);
-  const double inertia = 0.413 / (24.0 * eps * eps) * power
-    * (re * (1.0 / eps + 3.0 * eps * phi) + 8.4 * std::pow(re, 0.657))
-    / (power + std::pow(10.0, 3.0 * phi));
+  const double eps = s.voidFraction, phi = solidFraction(s), re = reynolds(s);
+  const double growth = power(re, 0.5 + 2.0 * phi);
+  const double inertia = 0.413 / (24.0 * eps * eps) * growth
+    * (re * (1.0 / eps + 3.0 * eps * phi) + 8.4 * power(re, 0.657))
+    / (growth + power(10.0, 3.0 * phi));
   const double creeping =
     10.0 * phi / (eps * eps) + eps * eps * (1.0 + 1.5 * std::sqrt(phi));
   return 18.0 * s.density * s.viscosity * eps / (s.diameter * s.diameter)

@@ -8,6 +8,7 @@
 #define GRAINJET_DRAG_DI_FELICE_H
 
 #include "drag_state.h"
+#include "power.h"
 #include <cmath>
 
 namespace grainjet {
@@ -27,10 +28,11 @@ inline double diFelice(const State &s)
 {
   const double re = reynolds(s);
   const double root = 0.63 * std::sqrt(re) + 4.8;
-  const double distance = 1.5 - std::log10(re);   // +inf at Re = 0, where chi = 3.7
+  const double perDecade = 0.43429448190325183;                   // 1/ln 10
+  const double distance = 1.5 - perDecade * safeLog(re);          // chi = 3.7 at Re = 0
   const double chi = 3.7 - 0.65 * std::exp(-0.5 * distance * distance);
   return 0.75 * s.density * s.viscosity / (s.diameter * s.diameter)
-    * root * root * std::pow(s.voidFraction, 1.0 - chi);
+    * root * root * power(s.voidFraction, 1.0 - chi);
 }
 
 }

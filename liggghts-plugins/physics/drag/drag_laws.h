@@ -17,7 +17,6 @@
 #include "stokes.h"
 #include "wen_yu.h"
 
-#include <cstddef>
 #include <string>
 
 namespace grainjet {
@@ -32,35 +31,24 @@ struct NamedLaw {
   Law law;
 };
 
-// the spelling to look up or to list
-typedef const char *NamedLaw::*Spelling;
-
-struct NamedLaws {
-  const NamedLaw *laws;
-  std::size_t size;
-  const NamedLaw *begin() const { return laws; }
-  const NamedLaw *end() const { return laws + size; }
+constexpr NamedLaw LAWS[] = {
+  {"gidaspow", "Gidaspow", gidaspow},
+  {"wenYu", "WenYu", wenYu},
+  {"ergun", "Ergun", ergun},
+  {"schillerNaumann", "SchillerNaumann", schillerNaumann},
+  {"stokes", "Stokes", stokes},
+  {"diFelice", "DiFelice", diFelice},
+  {"kochHill", "KochHill", kochHill},
+  {"beetstra", "Beetstra", beetstra}
 };
 
-inline NamedLaws namedLaws()
-{
-  static const NamedLaw laws[] = {
-    {"gidaspow", "Gidaspow", gidaspow},
-    {"wenYu", "WenYu", wenYu},
-    {"ergun", "Ergun", ergun},
-    {"schillerNaumann", "SchillerNaumann", schillerNaumann},
-    {"stokes", "Stokes", stokes},
-    {"diFelice", "DiFelice", diFelice},
-    {"kochHill", "KochHill", kochHill},
-    {"beetstra", "Beetstra", beetstra}
-  };
-  return {laws, sizeof(laws) / sizeof(laws[0])};
-}
+// the spelling to look up or to list
+typedef const char *NamedLaw::*Spelling;
 
 // The law of that name, or nullptr.  findLaw("Gidaspow", &NamedLaw::dictionary)
 inline Law findLaw(const std::string &name, Spelling spelling)
 {
-  for (const NamedLaw &entry : namedLaws())
+  for (const NamedLaw &entry : LAWS)
     if (name == entry.*spelling) return entry.law;
   return nullptr;
 }
@@ -69,7 +57,7 @@ inline Law findLaw(const std::string &name, Spelling spelling)
 inline std::string lawNames(Spelling spelling)
 {
   std::string names;
-  for (const NamedLaw &entry : namedLaws())
+  for (const NamedLaw &entry : LAWS)
     names += (names.empty() ? "" : ", ") + std::string(entry.*spelling);
   return names;
 }

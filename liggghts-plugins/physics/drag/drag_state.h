@@ -7,6 +7,8 @@
 #ifndef GRAINJET_DRAG_STATE_H
 #define GRAINJET_DRAG_STATE_H
 
+#include <cmath>
+
 namespace grainjet {
 namespace drag {
 
@@ -19,7 +21,11 @@ namespace drag {
    notation (Weaver & Miskovic 2023, Eq. 18) this is beta/(1 - eps).
 
    diameter is that of the ORIGINAL particle, also for a grain: d = d_grain / f_cg
-   (section 2.4). Only the volume V is the grain's.                            */
+   (section 2.4). Only the volume V is the grain's.
+
+   A law has both sides of its branches computed, for many grains at once (drag_batch.h):
+   neither may raise a floating-point exception, not even for a value that a choice before it
+   seems to keep away, since compilers compute first and choose later. A test sees to it.  */
 struct State {
   double voidFraction;   // -, fluid volume fraction eps, 0 < eps <= 1
   double slipSpeed;      // m/s, |uf - up| >= 0
@@ -32,6 +38,12 @@ struct State {
 inline double reynolds(const State &s)
 {
   return s.voidFraction * s.slipSpeed * s.diameter / s.viscosity;
+}
+
+// 1 - eps; not negative, though an interpolated void fraction may exceed 1 by round-off
+inline double solidFraction(const State &s)
+{
+  return std::fabs(1.0 - s.voidFraction);
 }
 
 typedef double (*Law)(const State &);

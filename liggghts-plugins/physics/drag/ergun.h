@@ -20,7 +20,7 @@ namespace drag {
    the drag of a lone sphere.                                                        */
 inline double ergun(const State &s)
 {
-  return 150.0 * s.density * s.viscosity * (1.0 - s.voidFraction)
+  return 150.0 * s.density * s.viscosity * solidFraction(s)
       / (s.voidFraction * s.diameter * s.diameter)
     + 1.75 * s.density * s.slipSpeed / s.diameter;
 }

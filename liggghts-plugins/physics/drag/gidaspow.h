@@ -19,7 +19,8 @@ namespace drag {
    depends on Re (docs/theory-drag.md has a table).                                  */
 inline double gidaspow(const State &s)
 {
-  return s.voidFraction > 0.8 ? wenYu(s) : ergun(s);
+  const double dilute = wenYu(s), dense = ergun(s);
+  return s.voidFraction > 0.8 ? dilute : dense;
 }
 
 }

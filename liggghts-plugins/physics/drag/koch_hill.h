@@ -8,6 +8,7 @@
 #define GRAINJET_DRAG_KOCH_HILL_H
 
 #include "drag_state.h"
+#include "power.h"
 #include <cmath>
 
 namespace grainjet {
@@ -28,13 +29,12 @@ namespace drag {
    jumps from 18.33 to 18.52, +1.0 %.                                               */
 inline double kochHill(const State &s)
 {
-  const double eps = s.voidFraction, phi = 1.0 - eps;
-  double f0 = 10.0 * phi / (eps * eps * eps);
-  if (phi < 0.4) {
-    const double phiLog = phi > 0.0 ? phi * std::log(phi) : 0.0;
-    f0 = (1.0 + 3.0 * std::sqrt(0.5 * phi) + (135.0 / 64.0) * phiLog + 16.14 * phi)
-      / (1.0 + phi * (0.681 + phi * (-8.48 + phi * 8.16)));
-  }
+  const double eps = s.voidFraction, phi = solidFraction(s);
+  const double dense = 10.0 * phi / (eps * eps * eps);
+  const double dilute =
+    (1.0 + 3.0 * std::sqrt(0.5 * phi) + (135.0 / 64.0) * phi * safeLog(phi) + 16.14 * phi)
+    / (1.0 + phi * (0.681 + phi * (-8.48 + phi * 8.16)));    // the divisor is at least 0.1
+  const double f0 = phi < 0.4 ? dilute : dense;
   const double f3 = 0.0673 + 0.212 * phi + 0.0232 / (eps * eps * eps * eps * eps);
   return 18.0 * s.density * s.viscosity * eps * eps / (s.diameter * s.diameter)
     * (f0 + 0.5 * f3 * reynolds(s));

@@ -8,7 +8,7 @@
 #define GRAINJET_DRAG_SPHERE_DRAG_H
 
 #include "drag_state.h"
-#include <cmath>
+#include "power.h"
 
 namespace grainjet {
 namespace drag {
@@ -23,9 +23,10 @@ namespace drag {
    Cd jumps from 0.4383 to 0.44, +0.4 %.                                            */
 inline double sphereDrag(const State &s, double re)
 {
-  const double correction =
-    re < 1000.0 ? 1.0 + 0.15 * std::pow(re, 0.687) : (0.44 / 24.0) * re;
-  return 18.0 * s.density * s.viscosity / (s.diameter * s.diameter) * correction;
+  const double schillerNaumann = 1.0 + 0.15 * power(re, 0.687);
+  const double newton = (0.44 / 24.0) * re;
+  return 18.0 * s.density * s.viscosity / (s.diameter * s.diameter)
+    * (re < 1000.0 ? schillerNaumann : newton);
 }
 
 }

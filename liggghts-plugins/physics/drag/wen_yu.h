@@ -22,7 +22,7 @@ namespace drag {
    included). Jumps by +0.4 % at Re = 1000, as Cd does.                              */
 inline double wenYu(const State &s)
 {
-  return sphereDrag(s, reynolds(s)) * std::pow(s.voidFraction, -2.65);
+  return sphereDrag(s, reynolds(s)) * power(s.voidFraction, -2.65);
 }
 
 }

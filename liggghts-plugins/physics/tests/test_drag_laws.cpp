@@ -70,7 +70,7 @@ TEST(DragLaws, ReferenceValues)
 
 TEST(DragLaws, EveryLawInTheTableIsTested)
 {
-  for (const NamedLaw &entry : namedLaws())
+  for (const NamedLaw &entry : LAWS)
     EXPECT_EQ(std::count(NAMES.begin(), NAMES.end(), entry.script), 1) << entry.script;
 }
 
@@ -176,7 +176,7 @@ TEST(DragLaws, NamesOfBothHosts)
   EXPECT_EQ(findLaw("Gidaspow", &NamedLaw::dictionary), gidaspow);
   EXPECT_EQ(findLaw("Gidaspow", &NamedLaw::script), nullptr);
   EXPECT_EQ(findLaw("", &NamedLaw::script), nullptr);
-  for (const NamedLaw &entry : namedLaws())
+  for (const NamedLaw &entry : LAWS)
     EXPECT_EQ(findLaw(entry.script, &NamedLaw::script),
       findLaw(entry.dictionary, &NamedLaw::dictionary));
   EXPECT_NE(lawNames(&NamedLaw::script).find("schillerNaumann, stokes"), std::string::npos);

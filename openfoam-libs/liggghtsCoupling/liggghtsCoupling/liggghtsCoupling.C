@@ -8,7 +8,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "zeroGradientFvPatchFields.H"
-#include "physics/drag/drag_laws.h"
 
 #include <malloc.h>
 
@@ -31,12 +30,12 @@ namespace Foam
 namespace
 {
 
-grainjet::drag::Law selectDrag(const dictionary& dict)
+grainjet::drag::BatchLaw selectDrag(const dictionary& dict)
 {
     using grainjet::drag::NamedLaw;
 
     const word name(dict.lookupOrDefault<word>("drag", "Gidaspow"));
-    const auto law = grainjet::drag::findLaw(name, &NamedLaw::dictionary);
+    const auto law = grainjet::drag::findBatchLaw(name, &NamedLaw::dictionary);
 
     if (!law)
     {

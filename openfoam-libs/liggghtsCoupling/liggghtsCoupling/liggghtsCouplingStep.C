@@ -103,50 +103,68 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
     const tmp<volScalarField> tnu(fluid_.nu());
     const scalarField& nu = tnu();
 
-    grainjet::drag::State state;
-    state.density = fluid_.rho();
-
     // Far enough ahead for memory to arrive
     const label ahead = 8;
 
     const label n = guests_->size();
     guestGrains::makeRoom(records_, n);
+    records_.setSize(n);
     guestGrains::makeRoom(force_, setI_ ? 0 : n);
+    force_.setSize(setI_ ? 0 : n);
 
-    for (label g = 0; g < n; ++g)
+    // The drag law takes many guests at once
+    typedef grainjet::drag::Batch Batch;
+    Batch batch(fluid_.rho());
+    fluidSampler::sample fluid[Batch::SIZE];
+
+    for (label first = 0; first < n; first += Batch::SIZE)
     {
-        if (g + 2*ahead < n)
+        const label last = min(first + Batch::SIZE, n);
+        for (label g = first; g < last; ++g)
         {
-            const label far = g + 2*ahead;
-            sampler_->soon(guests_->cell(far), guests_->pyramid(far));
-            sampler_->verySoon(guests_->pyramid(g + ahead));
-        }
-
-        const guestGrain grain(guests_->guest(g));
-        const fluidSampler::sample fluid(sampler_->at(grain));
-        const scalar volume = grain.volume();
-
-        state.voidFraction = fluid.voidFraction;
-        state.slipSpeed = mag(fluid.U - grain.velocity);
-        state.diameter = grain.particleDiameter();
-        state.viscosity = nu[grain.cell];
-
-        const scalar dragCoefficient = drag_(state)*volume;
-        guests_->give
-        (
-            g,
-            fluidAction
+            if (g + 2*ahead < n)
             {
-                fluid.U, dragCoefficient, volume*(fluid.force + bodyForce_)
+                const label far = g + 2*ahead;
+                sampler_->soon(guests_->cell(far), guests_->pyramid(far));
+                sampler_->verySoon(guests_->pyramid(g + ahead));
+                __builtin_prefetch(&nu[guests_->cell(far)]);
+                guests_->soon(far);
             }
-        );
-        records_.append(guestRecord{dragCoefficient, grain.mass, volume});
-        if (!setI_)
-        {
-            force_.append(volume*fluid.force);
+
+            const label i = g - first;
+            const guestGrain grain(guests_->guest(g));
+            fluid[i] = sampler_->at(grain);
+            records_[g].mass = grain.mass;
+            records_[g].volume = grain.volume();
+
+            batch.voidFraction[i] = fluid[i].voidFraction;
+            batch.slipSpeed[i] = mag(fluid[i].U - grain.velocity);
+            batch.diameter[i] = grain.particleDiameter();
+            batch.viscosity[i] = nu[grain.cell];
+            step.slipSum += batch.slipSpeed[i];
         }
 
-        step.slipSum += state.slipSpeed;
+        drag_(batch);
+
+        for (label g = first; g < last; ++g)
+        {
+            const label i = g - first;
+            const scalar volume = records_[g].volume;
+            const scalar dragCoefficient = batch.drag[i]*volume;
+            records_[g].dragCoefficient = dragCoefficient;
+            guests_->give
+            (
+                g,
+                fluidAction
+                {
+                    fluid[i].U, dragCoefficient, volume*(fluid[i].force + bodyForce_)
+                }
+            );
+            if (!setI_)
+            {
+                force_[g] = volume*fluid[i].force;
+            }
+        }
     }
     step.guests = n;
     guests_->send();
@@ -262,6 +280,8 @@ void Foam::fv::liggghtsCoupling::advance()
 
     const scalar before = clock.elapsedTime();
     session_->advance(interval_);
+    // What the other ranks wait for the slowest is time of DEM, not of the coupling
+    returnReduce(label(0), maxOp<label>());
     step.demSeconds = clock.elapsedTime() - before;
 
     collectMomentum(step);
