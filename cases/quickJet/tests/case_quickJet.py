@@ -25,6 +25,7 @@ def shrunk_copy(folder):
     shutil.copytree(QUICK_JET, case, ignore=shutil.ignore_patterns(
         "tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "0",
         "0.[0-9]*", "[1-9]*"))
+    grainjet.run(["./Allclean"], case)      # what the job itself has left, if it ran here before
     parameters = case/"system"/"parameters"
     text = parameters.read_text()
     for name, value in SHRUNK.items():
