@@ -18,7 +18,7 @@ bool Foam::pointValues::onPatch(const label bFacei) const
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const polyPatch& patch = patches[patches.patchID()[bFacei]];
-    return !patch.coupled() && !isA<emptyPolyPatch>(patch);
+    return !isA<coupledPolyPatch>(patch) && !isA<emptyPolyPatch>(patch);
 }
 
 
@@ -211,23 +211,21 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
     coupled_(mesh),
     constrained_(false)
 {
-    // Of patches that constrain, empty ones do not touch vectors at points
+    // By type, since a cyclicAMI patch does not call itself coupled. Of patches that constrain,
+    // empty ones do not touch vectors at points
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const bool matching =
-            isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch);
-        matching_ =
-            matching_
-         && (
-                !patch.coupled()
-             || (matching && refCast<const coupledPolyPatch>(patch).parallel())
-            );
-        constrained_ =
-            constrained_
-         || (
-                polyPatch::constraintType(patch.type())
-             && !matching && !patch.coupled() && !isA<emptyPolyPatch>(patch)
-            );
+        if (isA<coupledPolyPatch>(patch))
+        {
+            matching_ =
+                matching_
+             && (isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch))
+             && refCast<const coupledPolyPatch>(patch).parallel();
+        }
+        else if (polyPatch::constraintType(patch.type()))
+        {
+            constrained_ = constrained_ || !isA<emptyPolyPatch>(patch);
+        }
     }
 
     // A rank knows its own sides only
