@@ -219,10 +219,11 @@ Foam::vector Foam::guestGrains::receiveImpulse
 
     makeRoom(impulse, cells_.size());
     impulse.setSize(cells_.size(), Zero);
-    vector orphaned(Zero);
+    vector all(Zero);
 
     const auto arrive = [&](const label number, const vector& received)
     {
+        all += received;
         if (number >= 0)
         {
             impulse[number] += received;
@@ -250,7 +251,7 @@ Foam::vector Foam::guestGrains::receiveImpulse
         }
         else
         {
-            orphaned += received;
+            all += received;
         }
     };
 
@@ -276,7 +277,7 @@ Foam::vector Foam::guestGrains::receiveImpulse
             }
         }
     );
-    return orphaned;
+    return all;
 }
 
 

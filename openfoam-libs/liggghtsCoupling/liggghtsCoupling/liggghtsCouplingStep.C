@@ -179,14 +179,12 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
     exchanged_.clear();
     exchanged_.setSize(occupied_.cells().size(), cellExchange{});
 
-    vector departed(Zero);
-    const vector orphaned = guests_->receiveImpulse
+    step.toGrains = guests_->receiveImpulse
     (
         impulse_,
         [&](const label celli, const vector& impulse)
         {
             occupied_.sum(exchanged_, celli).impulse += impulse;
-            departed += impulse;
         }
     );
 
@@ -195,10 +193,11 @@ void Foam::fv::liggghtsCoupling::collectMomentum(couplingLog::step& step)
     {
         forAll(impulse_, g)
         {
-            impulse_[g] -= dt*records_[g].volume*bodyForce_;
+            const vector ownImpulse = dt*records_[g].volume*bodyForce_;
+            impulse_[g] -= ownImpulse;
+            step.toGrains -= ownImpulse;
         }
     }
-    step.toGrains = sum(impulse_) + departed + orphaned;
 
     // SetII: the reaction of forces but drag follows below, from the cells' own fields
     forAll(force_, g)
