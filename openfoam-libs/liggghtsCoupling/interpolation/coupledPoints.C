@@ -7,6 +7,7 @@
 #include "coupledPoints.H"
 #include "globalMeshData.H"
 #include "mapDistribute.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
