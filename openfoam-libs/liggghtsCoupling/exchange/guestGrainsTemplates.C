@@ -134,6 +134,8 @@ void Foam::guestGrains::locate(const Found& found)
             first = locator_.foreign(end).rank;
             guest.cell = locator_.foreign(end).cell;
         }
+        // Without a hint ranks are chosen by their boxes, which lie inside of the periodic one
+        guest.position = locator_.wrap(guest.position);
         away.append(guest);
         firstRank.append(first);
         travellers_.append(atom);
