@@ -9,10 +9,11 @@
 // functions of different kinds do not inline each other.
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 
-#include "drag_batch.h"
+#include "physics/drag/drag_batch.h"
 
 #include <iterator>
 #include <utility>
+#include <vector>
 
 // glibc has these for several numbers at once, but says so to programs with -ffast-math only
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
@@ -49,23 +50,35 @@ __attribute__((target("avx2,fma"))) void withAvx2(Batch &b)
 {
   evaluate<LAW>(b);
 }
-#endif
 
 template <std::size_t LAW>
-BatchLaw forThisProcessor()
+__attribute__((target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")))
+void withAvx512(Batch &b)
 {
+  evaluate<LAW>(b);
+}
+#endif
+
+// All that this processor can run, the fastest last
+template <std::size_t LAW>
+std::vector<BatchLaw> forThisProcessor()
+{
+  std::vector<BatchLaw> kinds = {anyProcessor<LAW>};
 #ifdef GRAINJET_VECTOR_LAWS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return withAvx2<LAW>;
+    kinds.push_back(withAvx2<LAW>);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
+      && __builtin_cpu_supports("avx512vl"))
+    kinds.push_back(withAvx512<LAW>);
 #endif
-  return anyProcessor<LAW>;
+  return kinds;
 }
 
 template <std::size_t... ALL>
 BatchLaw select(std::size_t wanted, std::index_sequence<ALL...>)
 {
   BatchLaw law = nullptr;
-  ((ALL == wanted ? void(law = forThisProcessor<ALL>()) : void()), ...);
+  ((ALL == wanted ? void(law = forThisProcessor<ALL>().back()) : void()), ...);
   return law;
 }
 

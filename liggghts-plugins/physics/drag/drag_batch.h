@@ -7,7 +7,7 @@
 #ifndef GRAINJET_DRAG_BATCH_H
 #define GRAINJET_DRAG_BATCH_H
 
-#include "drag_laws.h"
+#include "physics/drag/drag_laws.h"
 
 namespace grainjet {
 namespace drag {
@@ -15,7 +15,8 @@ namespace drag {
 /* What drag laws need of many grains, and what they return, in the units of State. A new
    batch holds numbers that every law can take, so that a part of it may be left as it is. */
 struct Batch {
-  static constexpr int SIZE = 32;   // several registers, and little of the first cache
+  // Several registers, and few enough for the first cache to hold what belongs to them
+  static constexpr int SIZE = 16;
 
   double density;                   // kg/m3, of the fluid
   double voidFraction[SIZE], slipSpeed[SIZE], diameter[SIZE], viscosity[SIZE];
@@ -33,8 +34,8 @@ struct Batch {
 typedef void (*BatchLaw)(Batch &);
 
 /* The law of that name (see findLaw) for a batch at once, or nullptr. It works on as many
-   grains together as the processor's vector registers hold, AVX2 where there is one, with
-   glibc's vector functions; so its last digit is that of the processor. All grains of a batch are
+   grains together as the processor's vector registers hold, AVX-512 or AVX2 where there is
+   one, with glibc's vector functions; so its last digit is that of the processor. All grains of a batch are
    computed in the same way, so that a grain's drag does not depend on its place.       */
 BatchLaw findBatchLaw(const std::string &name, Spelling spelling);
 

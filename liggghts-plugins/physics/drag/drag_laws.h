@@ -7,15 +7,15 @@
 #ifndef GRAINJET_DRAG_LAWS_H
 #define GRAINJET_DRAG_LAWS_H
 
-#include "beetstra.h"
-#include "di_felice.h"
-#include "drag_state.h"
-#include "ergun.h"
-#include "gidaspow.h"
-#include "koch_hill.h"
-#include "schiller_naumann.h"
-#include "stokes.h"
-#include "wen_yu.h"
+#include "physics/drag/beetstra.h"
+#include "physics/drag/di_felice.h"
+#include "physics/drag/drag_state.h"
+#include "physics/drag/ergun.h"
+#include "physics/drag/gidaspow.h"
+#include "physics/drag/koch_hill.h"
+#include "physics/drag/schiller_naumann.h"
+#include "physics/drag/stokes.h"
+#include "physics/drag/wen_yu.h"
 
 #include <string>
 

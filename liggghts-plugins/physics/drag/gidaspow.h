@@ -7,9 +7,9 @@
 #ifndef GRAINJET_DRAG_GIDASPOW_H
 #define GRAINJET_DRAG_GIDASPOW_H
 
-#include "drag_state.h"
-#include "ergun.h"
-#include "wen_yu.h"
+#include "physics/drag/drag_state.h"
+#include "physics/drag/ergun.h"
+#include "physics/drag/wen_yu.h"
 
 namespace grainjet {
 namespace drag {

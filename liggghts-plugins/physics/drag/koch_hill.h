@@ -7,8 +7,8 @@
 #ifndef GRAINJET_DRAG_KOCH_HILL_H
 #define GRAINJET_DRAG_KOCH_HILL_H
 
-#include "drag_state.h"
-#include "power.h"
+#include "physics/drag/drag_state.h"
+#include "physics/drag/power.h"
 #include <cmath>
 
 namespace grainjet {

@@ -7,7 +7,7 @@
 #ifndef GRAINJET_DRAG_STOKES_H
 #define GRAINJET_DRAG_STOKES_H
 
-#include "drag_state.h"
+#include "physics/drag/drag_state.h"
 
 namespace grainjet {
 namespace drag {

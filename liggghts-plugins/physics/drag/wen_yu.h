@@ -7,8 +7,8 @@
 #ifndef GRAINJET_DRAG_WEN_YU_H
 #define GRAINJET_DRAG_WEN_YU_H
 
-#include "drag_state.h"
-#include "sphere_drag.h"
+#include "physics/drag/drag_state.h"
+#include "physics/drag/sphere_drag.h"
 
 namespace grainjet {
 namespace drag {

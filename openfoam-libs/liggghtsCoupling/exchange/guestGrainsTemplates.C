@@ -40,106 +40,88 @@ void Foam::guestGrains::locate(const Found& found)
     visitors_.clear();
     travellers_.clear();
 
-    const auto admit = [&]
+    // Not of this rank's mesh, or not found in it yet
+    DynamicList<guestGrain> away;
+    DynamicList<label> firstRank;
+
+    // Many together, so that memory arrives while others are looked at: first that of the cells
+    // which held grains last, then that of the cells they have entered since
+    const label nTogether = 32;
+    guestGrain guests[nTogether];
+    cellLocator::place places[nTogether];
+    label ends[nTogether];
+
+    fetchLastCells(0, nTogether);
+    for (label first = 0; first < grains_.n; first += nTogether)
+    {
+        const label n = min(nTogether, grains_.n - first);
+        fetchLastCells(first + n, nTogether);
+        for (label i = 0; i < n; ++i)
+        {
+            places[i] = stay(first + i, ends[i]);
+        }
+
+        const label number = cells_.size();
+        label nFound = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            const label atom = first + i;
+            guestGrain& guest = guests[nFound];
+            guest = asGuest(atom);
+
+            // A grain that was a guest elsewhere is probably still one: it asks there first
+            const label rank = label(door_.host[atom][0]);
+            const label formerNumber = label(door_.host[atom][1]);
+            const bool elsewhere = rank >= 0 && rank != me && formerNumber >= 0;
+
+            if
+            (
+                places[i].cell < 0
+             && !elsewhere
+             && !cellLocator::leadsAway(ends[i])
+            )
+            {
+                places[i] =
+                    locator_.findOrFollow(guest.position, ends[i], ends[i]);
+            }
+
+            if (places[i].cell >= 0)
+            {
+                admit(guest, places[i], atom);
+                ++nFound;
+                continue;
+            }
+
+            label firstAsked = -1;
+            if (elsewhere)
+            {
+                firstAsked = rank;
+                guest.cell = -2 - formerNumber;
+            }
+            else if (cellLocator::leadsAway(ends[i]))
+            {
+                firstAsked = locator_.foreign(ends[i]).rank;
+                guest.cell = locator_.foreign(ends[i]).cell;
+            }
+            // Without a hint ranks are chosen by their boxes, which lie inside of the periodic one
+            guest.position = locator_.wrap(guest.position);
+            away.append(guest);
+            firstRank.append(firstAsked);
+            travellers_.append(atom);
+        }
+        found(number, UList<guestGrain>(guests, nFound));
+    }
+
+    const auto admitOne = [&]
     (
         guestGrain& guest,
         const cellLocator::place& place,
         const label source
     )
     {
-        guest.position = locator_.near(guest.position, place.cell);
-        guest.cell = place.cell;
-        guest.clearance = place.clearance;
-        guest.pyramid = place.pyramid;
-        cells_.append(place.cell);
-        pyramids_.append(place.pyramid);
-        source_.append(source);
-        found(cells_.size() - 1, guest);
+        admit(guest, place, source);
+        found(cells_.size() - 1, UList<guestGrain>(&guest, 1));
     };
-
-    DynamicList<guestGrain> away;
-    DynamicList<label> firstRank;
-
-    // Far enough ahead for memory to arrive: first that of the cell which held a grain
-    // last, then that of the cell it has probably entered since
-    const label ahead = 8;
-    FixedList<cellLocator::place, ahead> places;
-    FixedList<label, ahead> starts;
-
-    const auto prepare = [&](const label atom)
-    {
-        if (atom + ahead < grains_.n)
-        {
-            const label celli = lastCell(atom + ahead);
-            if (celli >= 0)
-            {
-                locator_.fetch(celli);
-            }
-        }
-        if (atom >= 0 && atom < grains_.n)
-        {
-            cellLocator::place& place = places[atom % ahead];
-            label& start = starts[atom % ahead];
-            place.cell = start = -1;
-
-            const label celli = lastCell(atom);
-            if (celli >= 0)
-            {
-                place = locator_.step(position(atom), celli, start);
-            }
-            if (start >= 0)
-            {
-                locator_.fetch(start);
-            }
-        }
-    };
-
-    for (label atom = -ahead; atom < ahead; ++atom)
-    {
-        prepare(atom);
-    }
-
-    for (label atom = 0; atom < grains_.n; ++atom)
-    {
-        cellLocator::place place = places[atom % ahead];
-        label end = starts[atom % ahead];
-        prepare(atom + ahead);
-
-        guestGrain guest(asGuest(atom));
-        const label rank = label(door_.host[atom][0]);
-        const label number = label(door_.host[atom][1]);
-
-        // A grain that was a guest elsewhere is probably still one: it asks there first
-        const bool elsewhere = rank >= 0 && rank != me && number >= 0;
-
-        if (place.cell < 0 && !elsewhere && !cellLocator::leadsAway(end))
-        {
-            place = locator_.findOrFollow(guest.position, end, end);
-        }
-
-        if (place.cell >= 0)
-        {
-            admit(guest, place, atom);
-            continue;
-        }
-
-        label first = -1;
-        if (elsewhere)
-        {
-            first = rank;
-            guest.cell = -2 - number;
-        }
-        else if (cellLocator::leadsAway(end))
-        {
-            first = locator_.foreign(end).rank;
-            guest.cell = locator_.foreign(end).cell;
-        }
-        // Without a hint ranks are chosen by their boxes, which lie inside of the periodic one
-        guest.position = locator_.wrap(guest.position);
-        away.append(guest);
-        firstRank.append(first);
-        travellers_.append(atom);
-    }
 
     // Without a hint a host has but the cell it found last: grains that arrive together are
     // neighbours
@@ -160,7 +142,7 @@ void Foam::guestGrains::locate(const Found& found)
             if (place.cell >= 0)
             {
                 near = place.cell;
-                admit(guest, place, -1 - visitors_.size());
+                admitOne(guest, place, -1 - visitors_.size());
                 visitors_.append(guest);
                 return ownerRoute::reply{cells_.size() - 1, -1, -1};
             }
@@ -173,7 +155,7 @@ void Foam::guestGrains::locate(const Found& found)
                 locator_.findOrFollow(away[i].position, away[i].cell, end);
             if (place.cell >= 0)
             {
-                admit(away[i], place, travellers_[i]);
+                admitOne(away[i], place, travellers_[i]);
             }
             return place.cell >= 0;
         }
@@ -196,7 +178,7 @@ void Foam::guestGrains::locate(const Found& found)
 
         if (place.cell >= 0)
         {
-            admit(away[i], place, travellers_[i]);
+            admitOne(away[i], place, travellers_[i]);
         }
         else
         {

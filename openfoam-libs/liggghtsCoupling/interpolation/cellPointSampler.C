@@ -17,89 +17,53 @@ namespace Foam
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-// Ask for memory that will be read: both ends, since it may lie in two cache lines
-inline void fetch(const Foam::point& p)
-{
-    __builtin_prefetch(&p);
-    __builtin_prefetch(&p.z());
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::cellPointSampler::inPyramid
+inline void Foam::cellPointSampler::put
 (
     const guestGrain& grain,
-    weights& result
+    tetBatch& batch,
+    const label i
 ) const
 {
-    if (grain.pyramid < 0)
+    if (!hasPyramid(grain))
     {
-        return false;
-    }
-
-    // A point on a common face of tetrahedra may be taken for either: the
-    // interpolation is continuous
-    const scalar tolerance = -1e-10;
-
-    const FixedList<label, 4>& corners = corners_[grain.pyramid];
-    if (corners[0] < 0)
-    {
-        return false;
-    }
-
-    // Both tetrahedra have the centre, the base b and the opposite corner d, and each one of the
-    // corners beside them, q: r = wb b + wd d + wq q by Cramer's rule
-    const point& centre = locator_.block(grain.cell)->centre;
-    const vector r = grain.position - centre;
-    const vector b = positions_[corners[0]] - centre;
-    const vector d = positions_[corners[2]] - centre;
-    const vector between = b ^ d;
-    const vector rb = r ^ b;
-    const vector dr = d ^ r;
-    const scalar side = between & r;
-
-    // First the one on whose side the grain is: a number rather than a branch, of which half
-    // would be foretold wrong. A triangle has but one
-    const bool triangle = (corners[3] == corners[2]);
-    const bool other = (between & (positions_[corners[1]] - centre))*side < 0;
-    label beside = 1 + 2*(other && !triangle);
-
-    for (label i = 0; i < 2 - triangle; ++i, beside = 4 - beside)
-    {
-        const vector q = positions_[corners[beside]] - centre;
-        const scalar inverse = 1/(between & q);
-        const scalar wb = -(dr & q)*inverse;
-        const scalar wd = -(rb & q)*inverse;
-        const scalar wq = side*inverse;
-        const scalar w0 = 1 - wb - wd - wq;
-
-        if (min(min(wb, wd), min(wq, w0)) >= tolerance)
+        // The tetrahedron of the three axes
+        for (direction k = 0; k < 3; ++k)
         {
-            result = weights
-            {
-                {w0, wb, wd, wq}, {corners[0], corners[2], corners[beside]}
-            };
-            return true;
+            batch.r[k][i] = 0;
+            batch.b[k][i] = (k == 0);
+            batch.q[k][i] = (k == 1);
+            batch.d[k][i] = batch.other[k][i] = (k == 2);
         }
+        return;
     }
-    return false;
+
+    // All is read before the first is written, as the compiler can't know that they differ
+    const point centre(locator_.block(grain.cell)->centre);
+    const FixedList<label, 4> corners(corners_[grain.pyramid]);
+    const vector r(grain.position - centre);
+    const vector b(positions_[corners[0]] - centre);
+    const vector q(positions_[corners[1]] - centre);
+    const vector d(positions_[corners[2]] - centre);
+    const vector other(positions_[corners[3]] - centre);
+    for (direction k = 0; k < 3; ++k)
+    {
+        batch.r[k][i] = r[k];
+        batch.b[k][i] = b[k];
+        batch.q[k][i] = q[k];
+        batch.d[k][i] = d[k];
+        batch.other[k][i] = other[k];
+    }
 }
 
 
-void Foam::cellPointSampler::search
+Foam::cellPointSampler::weights Foam::cellPointSampler::search
 (
-    const guestGrain& grain,
-    weights& result
+    const guestGrain& grain
 ) const
 {
+    weights result;
     const cellPointWeight cpw(mesh_, grain.position, grain.cell);
     for (direction k = 0; k < 4; ++k)
     {
@@ -109,6 +73,7 @@ void Foam::cellPointSampler::search
     {
         result.points[k] = cpw.faceVertices()[k];
     }
+    return result;
 }
 
 
@@ -169,7 +134,7 @@ void Foam::cellPointSampler::soon(const label celli, const label pyramid) const
         __builtin_prefetch(&corners_[pyramid]);
     }
     __builtin_prefetch(&values_.inCell(celli));
-    fetch(locator_.block(celli)->centre);
+    __builtin_prefetch(&locator_.block(celli)->centre);
 }
 
 
@@ -180,34 +145,67 @@ void Foam::cellPointSampler::verySoon(const label pyramid) const
         for (const label pointi : corners_[pyramid])
         {
             __builtin_prefetch(&values_.atPoint(pointi));
-            fetch(positions_[pointi]);
+            __builtin_prefetch(&positions_[pointi]);
         }
     }
 }
 
 
-Foam::fluidSampler::sample Foam::cellPointSampler::at
+void Foam::cellPointSampler::at
 (
-    const guestGrain& grain
+    const UList<guestGrain>& grains,
+    sample* fluid
 ) const
 {
-    weights at;
-    if (!inPyramid(grain, at))
-    {
-        search(grain, at);
-    }
+    // A point on a common face of tetrahedra may be taken for either: the
+    // interpolation is continuous
+    const scalar tolerance = -1e-10;
 
-    typedef pointValues::packed packed;
-    packed sum{};
-    sum.add(at.w[0], values_.inCell(grain.cell));
-    for (direction k = 0; k < 3; ++k)
+    tetBatch batch;
+    for (label first = 0; first < grains.size(); first += tetBatch::size)
     {
-        sum.add(at.w[k + 1], values_.atPoint(at.points[k]));
+        const label n = min(label(tetBatch::size), grains.size() - first);
+        for (label i = 0; i < tetBatch::size; ++i)
+        {
+            put(grains[first + min(i, n - 1)], batch, i);
+        }
+        batch.weigh();
+
+        for (label i = 0; i < n; ++i)
+        {
+            const guestGrain& grain = grains[first + i];
+            weights at;
+            if (hasPyramid(grain) && batch.least[i] >= tolerance)
+            {
+                const FixedList<label, 4>& points = corners_[grain.pyramid];
+                for (label k = 0; k < 4; ++k)
+                {
+                    at.w[k] = batch.weights[k][i];
+                }
+                at.points[0] = points[0];
+                at.points[1] = points[2];
+                at.points[2] = points[1 + 2*label(batch.isOther[i])];
+            }
+            else
+            {
+                at = search(grain);
+            }
+
+            typedef pointValues::packed packed;
+            packed sum{};
+            sum.add(at.w[0], values_.inCell(grain.cell));
+            for (direction k = 0; k < 3; ++k)
+            {
+                sum.add(at.w[k + 1], values_.atPoint(at.points[k]));
+            }
+            fluid[first + i] = sample
+            {
+                sum.get(packed::U),
+                sum.get(packed::force),
+                sum.values[packed::voidFraction]
+            };
+        }
     }
-    return sample
-    {
-        sum.get(packed::U), sum.get(packed::force), sum.values[packed::voidFraction]
-    };
 }
 
 

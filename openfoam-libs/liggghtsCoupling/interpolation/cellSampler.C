@@ -41,15 +41,17 @@ void Foam::cellSampler::update
 }
 
 
-Foam::fluidSampler::sample Foam::cellSampler::at
+void Foam::cellSampler::at
 (
-    const guestGrain& grain
+    const UList<guestGrain>& grains,
+    sample* fluid
 ) const
 {
-    return
+    forAll(grains, i)
     {
-        (*U_)[grain.cell], (*force_)[grain.cell], (*voidFraction_)[grain.cell]
-    };
+        const label celli = grains[i].cell;
+        fluid[i] = sample{(*U_)[celli], (*force_)[celli], (*voidFraction_)[celli]};
+    }
 }
 
 

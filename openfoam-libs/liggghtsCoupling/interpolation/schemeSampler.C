@@ -37,17 +37,22 @@ void Foam::schemeSampler::update
 }
 
 
-Foam::fluidSampler::sample Foam::schemeSampler::at
+void Foam::schemeSampler::at
 (
-    const guestGrain& grain
+    const UList<guestGrain>& grains,
+    sample* fluid
 ) const
 {
-    return
+    forAll(grains, i)
     {
-        U_->interpolate(grain.position, grain.cell),
-        force_->interpolate(grain.position, grain.cell),
-        voidFraction_->interpolate(grain.position, grain.cell)
-    };
+        const guestGrain& grain = grains[i];
+        fluid[i] = sample
+        {
+            U_->interpolate(grain.position, grain.cell),
+            force_->interpolate(grain.position, grain.cell),
+            voidFraction_->interpolate(grain.position, grain.cell)
+        };
+    }
 }
 
 

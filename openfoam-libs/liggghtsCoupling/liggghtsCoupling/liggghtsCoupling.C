@@ -234,7 +234,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
     guests_->forget();
-    guests_->locate([](const label, const guestGrain&){});
+    guests_->locate([](const label, const UList<guestGrain>&){});
 
     const scalar present = session_->counts().present;
     if (present > 0 && guests_->outside() == present)

@@ -17,16 +17,17 @@ void Foam::fv::liggghtsCoupling::emptyCells()
     scalarField& eps = voidFraction_.primitiveFieldRef();
     vectorField& velocity = particleVelocity_.primitiveFieldRef();
 
-    for (const label celli : occupied_.cells())
+    for (const label celli : occupied_.former())
     {
-        eps[celli] = 1;
-        velocity[celli] = Zero;
-        dragCoefficient_[celli] = 0;
-        particleMomentumSource_[celli] = Zero;
-        responseTime_[celli] = 0;
+        if (!occupied_.holds(celli))
+        {
+            eps[celli] = 1;
+            velocity[celli] = Zero;
+            dragCoefficient_[celli] = 0;
+            particleMomentumSource_[celli] = Zero;
+            responseTime_[celli] = 0;
+        }
     }
-    occupied_.clear();
-    contents_.clear();
 }
 
 
@@ -48,15 +49,25 @@ void Foam::fv::liggghtsCoupling::locateGrains()
             sum.momentum += fraction*c.momentum;
         };
 
+    occupied_.clear();
+    contents_.clear();
+
     // What is read of a grain to find its cell serves for the cell's sums as well
     shares_.clear();
     guests_->locate
     (
-        [&](const label g, const guestGrain& guest)
+        [&](const label first, const UList<guestGrain>& guests)
         {
-            const label first = shares_.size();
-            voidFractionModel_->share(g, guest, shares_);
-            shares_.depositOne(first, g, guest.cell, content(guest), add);
+            label part = shares_.size();
+            voidFractionModel_->share(first, guests, shares_);
+            forAll(guests, i)
+            {
+                const guestGrain& guest = guests[i];
+                part = shares_.depositOne
+                (
+                    part, first + i, guest.cell, content(guest), add
+                );
+            }
         }
     );
     shares_.settle([&](const label g){ return guests_->cell(g); });
@@ -103,37 +114,38 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
     const tmp<volScalarField> tnu(fluid_.nu());
     const scalarField& nu = tnu();
 
-    // Far enough ahead for memory to arrive
-    const label ahead = 8;
-
     const label n = guests_->size();
     guestGrains::makeRoom(records_, n);
     records_.setSize(n);
     guestGrains::makeRoom(force_, setI_ ? 0 : n);
     force_.setSize(setI_ ? 0 : n);
 
-    // The drag law takes many guests at once
+    // Many guests at once, since interpolation and the drag law take many. Memory that the next
+    // ones need is asked for while these are at work
     typedef grainjet::drag::Batch Batch;
     Batch batch(fluid_.rho());
     fluidSampler::sample fluid[Batch::SIZE];
+    guestGrain grains[Batch::SIZE];
 
     for (label first = 0; first < n; first += Batch::SIZE)
     {
         const label last = min(first + Batch::SIZE, n);
         for (label g = first; g < last; ++g)
         {
-            if (g + 2*ahead < n)
+            if (g + 2*Batch::SIZE < n)
             {
-                const label far = g + 2*ahead;
+                const label far = g + 2*Batch::SIZE;
                 sampler_->soon(guests_->cell(far), guests_->pyramid(far));
-                sampler_->verySoon(guests_->pyramid(g + ahead));
                 __builtin_prefetch(&nu[guests_->cell(far)]);
-                guests_->soon(far);
             }
+            grains[g - first] = guests_->guest(g);
+        }
+        sampler_->at(UList<guestGrain>(grains, last - first), fluid);
 
+        for (label g = first; g < last; ++g)
+        {
             const label i = g - first;
-            const guestGrain grain(guests_->guest(g));
-            fluid[i] = sampler_->at(grain);
+            const guestGrain& grain = grains[i];
             records_[g].mass = grain.mass;
             records_[g].volume = grain.volume();
 
@@ -148,6 +160,11 @@ void Foam::fv::liggghtsCoupling::evaluateFluid(couplingLog::step& step)
 
         for (label g = first; g < last; ++g)
         {
+            if (g + Batch::SIZE < n)
+            {
+                sampler_->verySoon(guests_->pyramid(g + Batch::SIZE));
+            }
+
             const label i = g - first;
             const scalar volume = records_[g].volume;
             const scalar dragCoefficient = batch.drag[i]*volume;
@@ -272,8 +289,8 @@ void Foam::fv::liggghtsCoupling::advance()
         step.owed = momentum_->owed();
     }
 
-    emptyCells();
     locateGrains();
+    emptyCells();
     fillCells(step);
     evaluateFluid(step);
 

@@ -7,6 +7,8 @@
 #include "dividedVoidFraction.H"
 #include "addToRunTimeSelectionTable.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -41,60 +43,73 @@ const scalar innerShell = shellRadius(1, 15);
 const scalar outerShell = shellRadius(15, 29);
 
 
+const Foam::label nDirections = 7;
+
+// Half of the directions of a shell's points; the others are opposite to them
+const Foam::vector* directions()
+{
+    static const scalar c = 1/Foam::sqrt(scalar(3));
+    static const Foam::vector all[nDirections] =
+    {
+        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {c, c, c}, {c, c, -c}, {c, -c, c}, {c, -c, -c}
+    };
+    return all;
+}
+
+
+// The centre, then pairs of opposite points, shell by shell
 Foam::FixedList<Foam::vector, Foam::dividedVoidFraction::nParts> makePoints()
 {
     Foam::FixedList<Foam::vector, Foam::dividedVoidFraction::nParts> points;
 
     Foam::label n = 0;
     points[n++] = Foam::Zero;
-
     for (const scalar r : {innerShell, outerShell})
     {
-        for (Foam::direction k = 0; k < 3; ++k)
+        for (Foam::label k = 0; k < nDirections; ++k)
         {
-            for (const scalar sign : {-1, 1})
-            {
-                points[n] = Foam::Zero;
-                points[n++][k] = sign*r;
-            }
-        }
-        const scalar c = r/Foam::sqrt(scalar(3));
-        for (const scalar x : {-c, c})
-        {
-            for (const scalar y : {-c, c})
-            {
-                for (const scalar z : {-c, c})
-                {
-                    points[n++] = Foam::vector(x, y, z);
-                }
-            }
+            points[n++] = r*directions()[k];
+            points[n++] = -r*directions()[k];
         }
     }
 
     return points;
 }
 
-// How many of the points of a sphere of radius R lie farther along the unit vector n than
-// `distance`, which is not negative. Points come in opposite pairs, one of which lies
-// on the near side.
-Foam::label nBeyond(const Foam::vector& n, const scalar R, const scalar distance)
-{
-    const scalar c = 1/Foam::sqrt(scalar(3));
-    const scalar along[7] =
-    {
-        n.x(), n.y(), n.z(),
-        c*(n.x() + n.y() + n.z()), c*(n.x() + n.y() - n.z()),
-        c*(n.x() - n.y() + n.z()), c*(n.x() - n.y() - n.z())
-    };
 
-    Foam::label count = 0;
-    for (const scalar a : along)
+// A sphere of radius R along a unit vector
+struct reach
+{
+    // How far along it the points of a shell of radius R would lie; their opposites are as
+    // far on the other side
+    scalar along[nDirections];
+
+    reach(const Foam::vector& n, const scalar R)
     {
-        const scalar reach = Foam::mag(a)*R;
-        count += (innerShell*reach > distance) + (outerShell*reach > distance);
+        const scalar c = R/Foam::sqrt(scalar(3));
+        along[0] = R*n.x();
+        along[1] = R*n.y();
+        along[2] = R*n.z();
+        along[3] = c*(n.x() + n.y() + n.z());
+        along[4] = c*(n.x() + n.y() - n.z());
+        along[5] = c*(n.x() - n.y() + n.z());
+        along[6] = c*(n.x() - n.y() - n.z());
     }
-    return count;
-}
+
+    // How many of its points lie farther than `distance`, which is not negative: of a pair
+    // at most one
+    Foam::label nBeyond(const scalar distance) const
+    {
+        Foam::label count = 0;
+        for (const scalar a : along)
+        {
+            count +=
+                (innerShell*Foam::mag(a) > distance)
+              + (outerShell*Foam::mag(a) > distance);
+        }
+        return count;
+    }
+};
 
 
 // Is one bit set, and no other?
@@ -116,12 +131,6 @@ Foam::dividedVoidFraction::points()
 }
 
 
-Foam::scalar Foam::dividedVoidFraction::outermost()
-{
-    return outerShell;
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::dividedVoidFraction::shareOverFace
@@ -131,7 +140,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     grainShares& shares
 ) const
 {
-    const float reach = outerShell*guest.radius;
+    const float outermost = outerShell*guest.radius;
     const label nLanes = cellLocator::nLanes;
 
     const cellLocator::faceBlock& here = *locator_.block(guest.cell);
@@ -147,7 +156,7 @@ bool Foam::dividedVoidFraction::shareOverFace
         )
     );
 
-    const unsigned reached = inside.atMost(reach);
+    const unsigned reached = inside.atMost(outermost);
     if (!isSingle(reached))
     {
         return false;
@@ -178,12 +187,12 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         shared |= unsigned(there.behind[i] == guest.cell) << i;
     }
-    if (!isSingle(shared) || (beyond.atMost(reach) & ~shared))
+    if (!isSingle(shared) || (beyond.atMost(outermost) & ~shared))
     {
         return false;
     }
 
-    const label n = nBeyond(here.normal(near), guest.radius, distance);
+    const label n = reach(here.normal(near), guest.radius).nBeyond(distance);
     if (n > 0)
     {
         shares.add(number, guest.cell, scalar(nParts - n)/nParts);
@@ -193,48 +202,48 @@ bool Foam::dividedVoidFraction::shareOverFace
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::dividedVoidFraction::share
+void Foam::dividedVoidFraction::sharePoints
 (
     const label number,
     const guestGrain& guest,
     grainShares& shares
 ) const
 {
-    if
-    (
-        guest.clearance >= outerShell*guest.radius
-     || shareOverFace(number, guest, shares)
-    )
-    {
-        return;
-    }
+    // Only the faces that the sphere may reach decide which points stay. Of each point the
+    // distance inside of the nearest one, and what is behind that
+    scalar room[nParts];
+    label behind[nParts];
+    std::fill(room, room + nParts, VGREAT);
+    std::fill(behind, behind + nParts, -1);
+    room[0] = 0;
 
-    // Only the faces that the sphere may reach decide which points stay
     const cellLocator::faceBlock* faces = locator_.block(guest.cell);
     const vector fromCentre(locator_.fromCentre(guest.position, *faces));
-    scalar room[nParts];
-    room[0] = 0;
-    for (label i = 1; i < nParts; ++i)
-    {
-        room[i] = VGREAT;
-    }
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
         (
             faces->distance(faces->relative(fromCentre))
         );
-        for (label lane = 0; lane < cellLocator::nLanes; ++lane)
+        unsigned reached = distance.atMost(outerShell*guest.radius);
+        for (; reached; reached &= reached - 1)
         {
-            if (distance[lane] < outerShell*guest.radius)
+            const label lane = __builtin_ctz(reached);
+            const reach outward(faces->normal(lane), guest.radius);
+            label i = 1;
+            for (const scalar shell : {innerShell, outerShell})
             {
-                const vector normal(faces->normal(lane));
-                for (label i = 1; i < nParts; ++i)
+                for (const scalar along : outward.along)
                 {
-                    room[i] =
-                        min(room[i], distance[lane] - guest.radius*(normal & points()[i]));
+                    for (const scalar far : {shell*along, -shell*along})
+                    {
+                        if (distance[lane] - far < room[i])
+                        {
+                            room[i] = distance[lane] - far;
+                            behind[i] = faces->behind[lane];
+                        }
+                        ++i;
+                    }
                 }
             }
         }
@@ -268,8 +277,9 @@ void Foam::dividedVoidFraction::share
         }
 
         const point p = guest.position + guest.radius*points()[i];
+        const label start = (behind[i] >= 0 ? behind[i] : guest.cell);
         label end;
-        const label celli = locator_.walk(p, guest.cell, end).cell;
+        const label celli = locator_.walk(p, start, end).cell;
         if (celli >= 0)
         {
             count(celli);
@@ -283,6 +293,30 @@ void Foam::dividedVoidFraction::share
     for (label k = 0; k < nCells; ++k)
     {
         shares.add(number, cells[k], scalar(counts[k])/nParts);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dividedVoidFraction::share
+(
+    const label first,
+    const UList<guestGrain>& guests,
+    grainShares& shares
+) const
+{
+    forAll(guests, i)
+    {
+        const guestGrain& guest = guests[i];
+        if
+        (
+            guest.clearance < outerShell*guest.radius
+         && !shareOverFace(first + i, guest, shares)
+        )
+        {
+            sharePoints(first + i, guest, shares);
+        }
     }
 }
 

@@ -7,17 +7,20 @@ on the same machine in one go: a periodic box of 37 x 37 x 37 cells of 1 mm with
 air (kEpsilon; schemes and linear solvers of cases/quickJet) at 8 m/s and grains of 80 um at 6 m/s, `fix
 hertz/cg`, cellPoint, divided, drag + pressure gradient + viscous. Coupled one way: the flow is then bit
 for bit that of the fluid alone, so that its solver makes the same iterations; --two-way couples it both
-ways. The grains alone run the same script, so that drag is part of them. Each figure is the difference
-between a long and a short run, so that start-up does not count; the runs of one repetition follow each
-other, and the median of the repetitions is given. Where other work on the machine makes the three runs
-differ by more than the overhead, the coupling's own clock says more: its time over that of fluid and DEM
-in the same run. It does not see that the fluid is slower when its data has left the caches.
+ways. The grains alone run the same script, so that drag is part of them. Start-up does not count.
+
+Other work on the machine makes a program take up to twice as long for seconds or hours, and whole runs
+differ by more than the overhead. So the three programs take turns, each is timed in pieces of a few
+steps, and of each piece the shortest time of all repetitions counts: the same steps with the
+least disturbance. The column "scatter" is the overhead made with the repetitions of odd and of even
+number, each half by itself. The coupling's own clock, its time over that of fluid and DEM in the
+same run, does not see that the fluid is slower when its data has left the caches.
 
 --memory measures instead the memory of the coupling per grain: the growth of the largest rank's peak
 with the number of grains, less that of the same grains without fix fluid/force.
 
     source environment; validation/benchmarks/coupling/run.py [--grains 20000 100000] [--ranks 1 2]
-        [--interval 50 10] [--repeat 3] [--outer N] [--two-way | --memory] [--output results.md]
+        [--interval 50 10] [--repeat 6] [--outer N] [--two-way | --memory] [--output results.md]
 """
 
 import argparse
@@ -25,7 +28,6 @@ import math
 import os
 import pathlib
 import random
-import resource
 import shutil
 import statistics
 import subprocess
@@ -39,10 +41,14 @@ import coupled_box as box
 import grainjet
 
 SIDE, CELLS = 0.037, 37
-SHORT, LONG = 4, 64          # fluid steps
+SKIP, PIECE, PIECES = 5, 5, 7     # fluid steps before the first piece and in each; their number
+STEPS = SKIP + PIECE * PIECES
 DEM_STEP = 1e-6
 
 PLUGINS = "plugin load hertzcgplugin.so"
+
+# a rank that waits does not leave its core, as in a user's run on as many cores as ranks
+ENV = {**grainjet.ENV, "OMPI_MCA_mpi_yield_when_idle": "0"}
 
 
 def write_grains(folder, n):
@@ -122,34 +128,60 @@ def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False, o
     if coupled:
         box.fv_options(folder, couplingInterval=interval,
                        coupling="twoWay" if two_way else "oneWay")
-    (folder / "in.alone").write_text("\n".join(lines) + f"\nrun {steps * interval}\n")
+    (folder / "in.alone").write_text("\n".join(lines) + f"""
+thermo_style custom step cpu
+thermo {PIECE * interval}
+run {steps * interval}
+""")
 
 
-def measure(command, folder):
-    """Wall and processor seconds of a command that must succeed."""
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.time()
-    result = grainjet.run(command, folder, timeout=3600)
-    wall, after = time.time() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
-    if result.code:
-        raise SystemExit(result.output[-3000:])
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return wall, cpu
+def run(command, folder):
+    """The output of a command that must succeed, line by line with the time at which it came."""
+    with subprocess.Popen([str(c) for c in command], cwd=folder, text=True, env=ENV,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT) as process:
+        lines = [(time.time(), line) for line in process.stdout]
+    if process.returncode:
+        raise SystemExit("".join(line for _, line in lines[-40:]))
+    return lines
 
 
-def seconds(kind, folders, ranks):
-    """(wall, cpu) per fluid step of one kind of run."""
+def prepare(folder, ranks):
+    """Mesh and decomposition."""
+    run(["blockMesh"], folder)
+    if ranks > 1:
+        run(["decomposePar"], folder)
+
+
+def pieces(kind, folder, ranks):
+    """Seconds of each piece of a run of one kind."""
     mpi = grainjet.mpirun(ranks if ranks > 1 else 0)
     if kind == "grains":
-        command = [*mpi, "liggghts-plugins", "-var", "continued", "0", "-in", "in.alone"]
+        output = run([*mpi, "liggghts-plugins", "-var", "continued", "0", "-in", "in.alone"], folder)
+        rows = [line.split() for _, line in output]
+        ends = [float(row[1]) for row in rows if len(row) == 2 and row[0].isdigit()]
+        ends = ends[SKIP // PIECE:]
     else:
-        command = [*mpi, "pimpleFoam", *(["-parallel"] if ranks > 1 else [])]
-    ends = []
-    for folder in folders:
         for old in [*folder.glob("processor*/[0-9]*"), *folder.glob("[0-9]*")]:
             if old.name != "0":
                 shutil.rmtree(old)
-        ends.append(measure(command, folder))
-    return tuple((b - a) / (LONG - SHORT) for a, b in zip(*ends))
+        output = run([*mpi, "pimpleFoam", *(["-parallel"] if ranks > 1 else [])], folder)
+        # a step ends with this line, and its output is flushed there
+        ends = [when for when, line in output if line.startswith("ExecutionTime")][SKIP - 1::PIECE]
+    if len(ends) != PIECES + 1:
+        raise SystemExit(f"{kind}: {len(ends)} times instead of {PIECES + 1}")
+    return [b - a for a, b in zip(ends, ends[1:])]
+
+
+def least(repetitions):
+    """The sum over all pieces of the shortest time of each, per fluid step."""
+    return sum(map(min, zip(*repetitions))) / (PIECE * PIECES)
+
+
+def overhead(taken, choice=slice(None)):
+    """(coupled - fluid - grains)/(fluid + grains) of some repetitions, in %."""
+    fluid, grains, coupled = (least(taken[kind][choice]) for kind in ("fluid", "grains", "coupled"))
+    return 100 * (coupled / (fluid + grains) - 1)
 
 
 def own_clock(folder):
@@ -158,7 +190,7 @@ def own_clock(folder):
                 key=lambda path: path.stat().st_mtime)
     rows = [line.split() for line in table.read_text().splitlines()]
     names = [row for row in rows if row[0] == "#"][-1][1:]
-    last = [[float(cell) for cell in row] for row in rows if row[0] != "#"][SHORT:]
+    last = [[float(cell) for cell in row] for row in rows if row[0] != "#"][SKIP:]
     fluid, dem, coupling = (sum(row[names.index("seconds" + part)] for row in last)
                             for part in ("Fluid", "DEM", "Coupling"))
     return 100 * coupling / (fluid + dem)
@@ -167,7 +199,7 @@ def own_clock(folder):
 def peak(command, folder):
     """Largest resident memory of a rank of a command that must succeed, in bytes."""
     with open(folder / "log.memory", "w") as log:
-        run = subprocess.Popen([str(c) for c in command], cwd=folder, env=grainjet.ENV,
+        run = subprocess.Popen([str(c) for c in command], cwd=folder, env=ENV,
                                stdin=subprocess.DEVNULL, stdout=log, stderr=log)
         _, status, usage = os.wait4(run.pid, 0)
     if status:
@@ -188,9 +220,7 @@ def memory(options, work):
             write_case(folder, grains, 10, ranks, 5, True, options.two_way)
             control = folder / "system/controlDict"
             control.write_text(control.read_text().replace("writeInterval 5;", "writeInterval 100;"))
-            measure(["blockMesh"], folder)
-            if ranks > 1:
-                measure(["decomposePar"], folder)
+            prepare(folder, ranks)
             alone = (folder / "in.alone").read_text()
             (folder / "in.alone").write_text("\n".join(
                 line for line in alone.splitlines() if "fluid" not in line) + "\n")
@@ -210,7 +240,7 @@ def main():
     parser.add_argument("--grains", type=int, nargs="+", default=[20000, 100000])
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--interval", type=int, nargs="+", default=[50, 10])
-    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--repeat", type=int, default=6)
     parser.add_argument("--outer", type=int, default=1, help="outer correctors of a fluid step")
     parser.add_argument("--two-way", action="store_true")
     parser.add_argument("--memory", action="store_true")
@@ -222,50 +252,39 @@ def main():
         shutil.rmtree(work)
         return
 
-    rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead wall % "
-            "| overhead processor % | own clock % | overhead, us per grain and interval (processor) "
+    rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead % "
+            "| scatter % | own clock % | overhead, us per grain and interval "
             "| grains on another rank % | bytes sent per step |",
             "|---|---|---|---|---|---|---|---|---|---|---|---|"]
     print("\n".join(rows), flush=True)
     for grains in options.grains:
         for ranks in options.ranks:
             for interval in options.interval:
-                cases = {}
-                for kind in ("fluid", "coupled"):
-                    cases[kind] = []
-                    for steps in (SHORT, LONG):
-                        folder = work / f"{grains}-{ranks}-{interval}-{kind}-{steps}"
-                        write_case(folder, grains, interval, ranks, steps, kind == "coupled",
-                                   options.two_way, options.outer)
-                        measure(["blockMesh"], folder)
-                        if ranks > 1:
-                            measure(["decomposePar"], folder)
-                        cases[kind].append(folder)
+                cases = {kind: work / f"{grains}-{ranks}-{interval}-{kind}"
+                         for kind in ("fluid", "coupled")}
+                for kind, folder in cases.items():
+                    write_case(folder, grains, interval, ranks, STEPS, kind == "coupled",
+                               options.two_way, options.outer)
+                    prepare(folder, ranks)
                 cases["grains"] = cases["fluid"]
                 taken = {kind: [] for kind in cases}
                 clock = []
                 for _ in range(options.repeat):
                     for kind in cases:
-                        taken[kind].append(seconds(kind, cases[kind], ranks))
-                    clock.append(own_clock(cases["coupled"][-1]))
-                overhead = []
-                for i in (0, 1):
-                    overhead.append(statistics.median(
-                        100 * (c[i] / (f[i] + g[i]) - 1)
-                        for c, f, g in zip(taken["coupled"], taken["fluid"], taken["grains"])))
-                per_grain = statistics.median(
-                    1e6 * (c[1] - f[1] - g[1]) / grains
-                    for c, f, g in zip(taken["coupled"], taken["fluid"], taken["grains"]))
-                wall = [statistics.median(w for w, _ in taken[kind])
-                        for kind in ("fluid", "grains", "coupled")]
-                balance = box.read_balance(cases["coupled"][-1])
+                        taken[kind].append(pieces(kind, cases[kind], ranks))
+                    clock.append(own_clock(cases["coupled"]))
+                wall = [least(taken[kind]) for kind in ("fluid", "grains", "coupled")]
+                halves = (f"{overhead(taken, slice(i, None, 2)):.1f}" for i in (0, 1)
+                          if options.repeat > 1)
+                balance = box.read_balance(cases["coupled"])
                 travelling = 100 * statistics.mean(balance["travelling"]) / grains
-                sent = (balance["bytes"][-1] - balance["bytes"][0]) / (LONG - 1)
+                sent = (balance["bytes"][-1] - balance["bytes"][0]) / (STEPS - 1)
                 rows.append(
-                    "| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} "
-                    "| {:.1f} | {:.0f} |".format(grains, ranks, interval, *wall, *overhead,
-                                                 statistics.median(clock),
-                                                 per_grain, travelling, sent))
+                    "| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {} | {:.1f} | {:.2f} "
+                    "| {:.1f} | {:.0f} |".format(
+                        grains, ranks, interval, *wall, overhead(taken), ", ".join(halves),
+                        statistics.median(clock), 1e6 * ranks * (wall[2] - wall[0] - wall[1]) / grains,
+                        travelling, sent))
                 print(rows[-1], flush=True)
     shutil.rmtree(work)
     if options.output:
