@@ -28,6 +28,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import shutil
 import statistics
 import subprocess
@@ -137,9 +138,9 @@ run {steps * interval}
 
 def run(command, folder):
     """The output of a command that must succeed, line by line with the time at which it came."""
-    with subprocess.Popen([str(c) for c in command], cwd=folder, text=True, env=ENV,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT) as process:
+    with subprocess.Popen([str(c) for c in command], cwd=folder, text=True,
+                          env={**ENV, "PWD": str(folder)}, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
         lines = [(time.time(), line) for line in process.stdout]
     if process.returncode:
         raise SystemExit("".join(line for _, line in lines[-40:]))
@@ -158,9 +159,8 @@ def pieces(kind, folder, ranks):
     mpi = grainjet.mpirun(ranks if ranks > 1 else 0)
     if kind == "grains":
         output = run([*mpi, "liggghts-plugins", "-var", "continued", "0", "-in", "in.alone"], folder)
-        rows = [line.split() for _, line in output]
-        ends = [float(row[1]) for row in rows if len(row) == 2 and row[0].isdigit()]
-        ends = ends[SKIP // PIECE:]
+        rows = (re.fullmatch(r" *\d+ +([\d.e+-]+) *\n", line) for _, line in output)
+        ends = [float(row[1]) for row in rows if row][SKIP // PIECE:]
     else:
         for old in [*folder.glob("processor*/[0-9]*"), *folder.glob("[0-9]*")]:
             if old.name != "0":
