@@ -81,10 +81,11 @@ int ContactStore::pack(int grain, double *buffer) const
     const Contact &c = e.contact;
     buffer[m++] = as_double(e.partner);
     buffer[m++] = as_double(e.marks);
-    for (const contact::Vector3 &v : {c.spring, c.force, c.twist, c.rolling}) {
-      buffer[m++] = v.x;
-      buffer[m++] = v.y;
-      buffer[m++] = v.z;
+    const contact::Vector3 *vectors[] = {&c.spring, &c.force, &c.twist, &c.rolling, &c.rollingSpring};
+    for (int v = 0; v < (rollingSpring_ ? 5 : 4); ++v) {
+      buffer[m++] = vectors[v]->x;
+      buffer[m++] = vectors[v]->y;
+      buffer[m++] = vectors[v]->z;
     }
   }
   return m;
@@ -104,10 +105,12 @@ int ContactStore::unpack(int grain, const double *buffer)
     e.partner = as_int(buffer[m++]);
     e.marks = as_int(buffer[m++]);
     Contact &c = e.contact;
-    for (contact::Vector3 *v : {&c.spring, &c.force, &c.twist, &c.rolling}) {
-      v->x = buffer[m++];
-      v->y = buffer[m++];
-      v->z = buffer[m++];
+    c.rollingSpring = {0.0, 0.0, 0.0};
+    contact::Vector3 *vectors[] = {&c.spring, &c.force, &c.twist, &c.rolling, &c.rollingSpring};
+    for (int v = 0; v < (rollingSpring_ ? 5 : 4); ++v) {
+      vectors[v]->x = buffer[m++];
+      vectors[v]->y = buffer[m++];
+      vectors[v]->z = buffer[m++];
     }
     entries_.push_back(e);
   }

@@ -22,11 +22,12 @@ struct Contact {
   contact::Vector3 force;      // N, on i
   contact::Vector3 twist;      // N, n x Ft: times minus the arm it is the torque on either grain
   contact::Vector3 rolling;    // N m, torque of rolling friction on i
+  contact::Vector3 rollingSpring;   // N m, part of it that a rolling spring remembers
 
   // the same contact seen from the other grain; n and Ft both turn round, so twist does not
   Contact mirrored() const
   {
-    return {-1.0 * spring, -1.0 * force, twist, -1.0 * rolling};
+    return {-1.0 * spring, -1.0 * force, twist, -1.0 * rolling, -1.0 * rollingSpring};
   }
 };
 
@@ -43,7 +44,9 @@ class ContactStore {
     Contact contact;
   };
 
-  static const int VALUES = 14;    // numbers in which an entry is packed
+  // Do contacts have a rolling spring? Without it is neither sent nor written
+  void keepRollingSpring(bool keep) { rollingSpring_ = keep; }
+  int values() const { return rollingSpring_ ? 17 : 14; }    // numbers in which an entry is packed
 
   void resize(int ngrains);
   void clear();                                  // no grain has contacts
@@ -57,7 +60,7 @@ class ContactStore {
   void copy(int from, int to) { count_[to] = count_[from]; first_[to] = first_[from]; }
   void forget(int grain) { count_[grain] = 0; }
 
-  int packed_size(int grain) const { return 1 + VALUES * count_[grain]; }
+  int packed_size(int grain) const { return 1 + values() * count_[grain]; }
   int pack(int grain, double *buffer) const;             // returns the numbers written
   int unpack(int grain, const double *buffer);           // returns the numbers read
 
@@ -71,6 +74,7 @@ class ContactStore {
   std::vector<Entry> entries_;
   std::vector<Added> added_;
   int largest_ = 0;
+  bool rollingSpring_ = false;
 };
 
 }

@@ -5,7 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "hertz-cg/fix_hertz_cg.h"
-#include "host/fix_arguments.h"
+#include "hertz-cg/pair_hertz_cg.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -16,7 +16,7 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "pair.h"
+#include "integrate.h"
 #include "update.h"
 
 #include <algorithm>
@@ -34,9 +34,8 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp, narg, arg), tangential_(true), rolling_(false), timestep_fraction_(0.0),
-  timestep_error_(false), overlap_fraction_(0.1), search_(lmp), pairs_valid_(false),
-  store_current_(true), forces_restarted_(false), rmax_(0.0), margin_(0.0),
+  Fix(lmp, narg, arg), timestep_fraction_(0.0), timestep_error_(false), overlap_fraction_(0.1),
+  search_(lmp), stand_in_(nullptr), pairs_valid_(false), store_current_(true), forces_restarted_(false), rmax_(0.0), margin_(0.0),
   pairs_per_grain_(-1.0), search_step_(0), freeze_bit_(0), collisions_(0.0),
   deep_(0.0), deepest_(0.0), deep_reported_(0.0), work_(0.0), found_(0.0), reduced_step_(-1)
 {
@@ -55,9 +54,12 @@ FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   if (!atom->sphere_flag || !atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
     error->fix_error(FLERR, this, "needs `atom_style granular` (or sphere)");
 
+  store_.keepRollingSpring(law_.rollingSpring());
+  if (domain->dimension == 2) law_.rollingInertia = grainjet::contact::DISC_ROLLS;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
+  if (!force->pair) stand_in();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -75,47 +77,41 @@ FixHertzCg::~FixHertzCg()
 
 void FixHertzCg::pre_delete(bool unfixflag)
 {
-  if (unfixflag) search_.restore();
+  if (!unfixflag) return;
+  search_.restore();
+  remove_stand_in();
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   the place of the pair style, for all who ask it for contacts
+------------------------------------------------------------------------- */
 
-void FixHertzCg::parse(int narg, char **arg)
+static void name_pair_style(Force *force, const char *name)
 {
-  grainjet::FixArguments in(error, narg, arg);
-  while (in.more()) {
-    const std::string keyword = in.word("keyword");
-    if (keyword == "tangential") {
-      const std::string model = in.word("model after 'tangential': history or off");
-      if (model != "history" && model != "off")
-        in.fail("tangential must be history or off, not '" + model + "'");
-      tangential_ = model == "history";
-    } else if (keyword == "rolling") {
-      const std::string model = in.word("model after 'rolling': off or cdt");
-      if (model != "off" && model != "cdt")
-        in.fail("rolling must be off or cdt, not '" + model + "'");
-      rolling_ = model == "cdt";
-    } else if (keyword == "timestep_check") {
-      nevery = in.count("number of steps after 'timestep_check'");
-      timestep_fraction_ = in.positive("fraction after 'timestep_check'");
-      const std::string action = in.word("'warn' or 'error' at the end of 'timestep_check'");
-      if (action != "warn" && action != "error")
-        in.fail("timestep_check must end with warn or error, not '" + action + "'");
-      timestep_error_ = action == "error";
-    } else if (keyword == "overlap_check") {
-      overlap_fraction_ = in.positive("fraction after 'overlap_check'");
-    } else {
-      in.fail("unknown keyword '" + keyword
-              + "'; known are tangential, rolling, timestep_check, overlap_check");
-    }
-  }
+  delete [] force->pair_style;
+  force->pair_style = strcpy(new char[strlen(name) + 1], name);
+}
+
+void FixHertzCg::stand_in()
+{
+  stand_in_ = new PairHertzCg(lmp, this);
+  force->pair = stand_in_;
+  name_pair_style(force, "gran");
+}
+
+void FixHertzCg::remove_stand_in()
+{
+  if (!stand_in_) return;
+  delete stand_in_;
+  force->pair = nullptr;
+  name_pair_style(force, "none");
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixHertzCg::setmask()
 {
-  int mask = POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | POST_RUN;
+  int mask = POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_RUN;
   if (timestep_fraction_ > 0.0) mask |= END_OF_STEP;
   return mask;
 }
@@ -128,8 +124,15 @@ void FixHertzCg::init()
   // host after the first forces
   just_created = 0;
 
-  check_host();
-  materials_.read(lmp, this, tangential_, rolling_);
+  // `pair_style none` came after the fix: what the host has done for the pair style so far is done again
+  if (!force->pair) {
+    stand_in();
+    force->pair->init();
+    update->integrate->init();
+  } else {
+    check_host();
+  }
+  materials_.read(lmp, this, law_);
 
   freeze_bit_ = 0;
   for (int i = 0; i < modify->nfix; ++i)
@@ -178,7 +181,7 @@ void FixHertzCg::init_list(int, NeighList *)
 
 void FixHertzCg::check_host()
 {
-  if (force->pair) {
+  if (force->pair != stand_in_) {
     const std::string message = std::string("computes the contacts itself, but `pair_style ")
       + force->pair_style + "` is defined too; remove one of them (after read_restart: `pair_style none`)";
     error->fix_error(FLERR, this, message.c_str());

@@ -21,20 +21,33 @@ FixStyle(hertz/cg,FixHertzCg)
 #include "hertz-cg/search_settings.h"
 #include "hertz-cg/stream_motion.h"
 #include "hertz-cg/wall_axes.h"
+#include "physics/contact/contact_law.h"
 
 #include <string>
 #include <vector>
+
+namespace grainjet { class FixArguments; }
 
 namespace LAMMPS_NS {
 
 /* Contact between grains: Hertz-Mindlin spring-dashpot with tangential history, evaluated for
    the particles a grain stands for and scaled by f_cg^2 and f_cg^3. In place of `pair_style gran`.
 
-     fix c all hertz/cg [tangential history|off] [rolling off|cdt]
+     fix c all hertz/cg [model hertz] [tangential history|no_history|off]
+                        [rolling off|cdt|epsd|epsd2] [torsionTorque on|off]
+                        [limitForce on|off] [tangential_damping on|off]
+                        [cohesion off|sjkr|sjkr2] [tangential_reduce on|off]
                         [timestep_check N fraction warn|error] [overlap_check fraction]
 
-   tangential      friction with a tangential spring (default), or none
-   rolling         rolling friction of constant directional torque, or none (default)
+   The words of `pair_style gran model hertz` mean what they mean there (rolling_friction may be written
+   for rolling); laws and sources in physics/contact.
+
+   tangential      friction with a tangential spring (default), with a dashpot only, or none
+   rolling         resistance to rolling, default off; torsionTorque: also to rotation about the normal
+   limitForce      no attraction by the dashpot at the end of a contact (default off)
+   tangential_damping  dashpot beside the tangential spring (default on)
+   cohesion        attraction by contact area and cohesion energy density, default off;
+                   tangential_reduce: it counts in the Coulomb limit (default off)
    timestep_check  every N steps compare the time step with `fraction` of the Rayleigh time and of
                    the Hertz time; beyond it warn, or end the run. Without it, both times are only
                    in the global vector
@@ -43,7 +56,7 @@ namespace LAMMPS_NS {
 
    Global vector f_c[1..7]: contacts now; collisions begun since the start; largest
    overlap/radius since the start; time step in % of the Rayleigh time, in % of the Hertz time;
-   energy now in the springs [J]; energy dissipated by contacts since the start [J].
+   energy now in the springs, and of cohesion [J]; energy dissipated by contacts since the start [J].
    Walls are left to the stock `fix wall/gran` and not in these numbers.                      */
 class FixHertzCg : public Fix {
  public:
@@ -60,7 +73,6 @@ class FixHertzCg : public Fix {
   void post_integrate();
   void pre_exchange();
   void pre_neighbor();
-  void pre_force(int);
   void end_of_step();
   void post_run();
 
@@ -83,8 +95,10 @@ class FixHertzCg : public Fix {
 
  private:
 
+  friend class PairHertzCg;
+
   // keywords
-  bool tangential_, rolling_;
+  grainjet::contact::LawOptions law_;
   double timestep_fraction_;
   bool timestep_error_;
   double overlap_fraction_;
@@ -95,6 +109,7 @@ class FixHertzCg : public Fix {
   grainjet::StreamMotion motion_;
   grainjet::ContactPairs pairs_;
   grainjet::ContactStore store_;
+  class PairHertzCg *stand_in_;    // in the place of the pair style; owned by the host
 
   // state of pairs and store
   bool pairs_valid_;       // indices in pairs_ are those of the host's arrays
@@ -120,6 +135,9 @@ class FixHertzCg : public Fix {
   std::string failure_;    // what went wrong on this rank, to be told by all
 
   void parse(int, char **);
+  bool parse_law(grainjet::FixArguments &, const std::string &keyword);
+  void stand_in();
+  void remove_stand_in();
   void check_host();
   void check_sizes();
   double packing() const;
@@ -134,11 +152,15 @@ class FixHertzCg : public Fix {
   void report_failure();
 
   struct Grains;
-  void compute(bool advance, bool again);
-  template <bool TANGENTIAL, bool ROLLING>
+  struct Evaluated;
+  void compute(bool advance);
+  template <bool TANGENTIAL, bool EXTRAS>
   void compute_pairs(bool advance, bool again);
-  template <bool TANGENTIAL, bool ROLLING>
+  template <bool TANGENTIAL, bool EXTRAS>
   void compute_contact(const Grains &, std::size_t pair, double rsq, bool advance, bool again);
+  template <bool TANGENTIAL, bool EXTRAS, class Kinematics>
+  Evaluated evaluate(const Grains &, const Kinematics &, int i, int j, const grainjet::Contact &, bool advance) const;
+  void tell_contacts();
   void end_contact(const Grains &, std::size_t pair, bool advance);
   void begin_contact(const Grains &, std::size_t pair, double depth);
   void fail_contact(const Grains &, std::size_t pair, const char *why);

@@ -166,7 +166,7 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, VALUES, NSAVED };
 
 }
 
@@ -179,7 +179,7 @@ void FixHertzCg::write_restart(FILE *fp)
   if (comm->me) return;
 
   double list[NSAVED];
-  list[VERSION] = 1.0;
+  list[VERSION] = 2.0;
   list[FACTOR] = force->cg(1);
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
@@ -191,6 +191,7 @@ void FixHertzCg::write_restart(FILE *fp)
   list[REACH] = search_.reach();
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
+  list[VALUES] = store_.values();
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list, sizeof(double), NSAVED, fp);
@@ -201,9 +202,15 @@ void FixHertzCg::write_restart(FILE *fp)
 void FixHertzCg::restart(char *buf)
 {
   double list[NSAVED];
-  memcpy(list, buf, sizeof(list));
-  if (list[VERSION] != 1.0)
+  memcpy(list, buf, VALUES * sizeof(double));
+  // version 1 had no rolling springs
+  list[VALUES] = 14.0;
+  if (list[VERSION] == 2.0) memcpy(list, buf, sizeof(list));
+  else if (list[VERSION] != 1.0)
     error->fix_error(FLERR, this, "the restart file was written by another version of this fix");
+  if (list[VALUES] != store_.values())
+    error->fix_error(FLERR, this, "the restart file was written with another `rolling` model, of which contacts remember "
+                     "something else; state the same one");
   if (list[FACTOR] != force->cg(1)) {
     std::ostringstream message;
     message << "the restart file was written with `coarsegraining " << list[FACTOR]

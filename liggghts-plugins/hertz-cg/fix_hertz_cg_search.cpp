@@ -8,6 +8,7 @@
    to the next */
 
 #include "hertz-cg/fix_hertz_cg.h"
+#include "hertz-cg/pair_hertz_cg.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -70,7 +71,7 @@ void FixHertzCg::save_contacts()
   store_current_ = true;
   // room for one grain's contacts in the host's buffer, besides what other fixes asked for
   comm->maxexchange_fix = std::max(comm->maxexchange_fix,
-                                   2 * (1 + grainjet::ContactStore::VALUES * store_.largest()));
+                                   2 * (1 + store_.values() * store_.largest()));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -113,6 +114,7 @@ void FixHertzCg::search()
       fail("grain " + std::to_string(atom->tag[i]) + " is larger than the largest known at the start of the run");
   report_failure();
   pairs_valid_ = true;
+  stand_in_->show(pairs_, atom->nlocal);
 
   double count[2] = {static_cast<double>(pairs_.size()), static_cast<double>(atom->nlocal)};
   MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);

@@ -24,7 +24,7 @@ using namespace grainjet;
 
 /* ---------------------------------------------------------------------- */
 
-void MaterialTable::read(LAMMPS *lmp, Fix *fix, bool friction, bool rolling)
+void MaterialTable::read(LAMMPS *lmp, Fix *fix, const contact::LawOptions &law)
 {
   lmp_ = lmp;
   fix_ = fix;
@@ -35,10 +35,13 @@ void MaterialTable::read(LAMMPS *lmp, Fix *fix, bool friction, bool rolling)
   const Values restitution =
     per_pair("coefficientRestitution", 0.0, 1.0, true, "must be in (0, 1]");
   const Values zero((ntypes_ + 1) * (ntypes_ + 1), 0.0);
-  const Values mu =
-    friction ? per_pair("coefficientFriction", 0.0, DBL_MAX, false, "must be >= 0") : zero;
-  const Values rollingMu =
-    rolling ? per_pair("coefficientRollingFriction", 0.0, DBL_MAX, false, "must be >= 0") : zero;
+  const auto where = [&](bool asked, const char *name) {
+    return asked ? per_pair(name, 0.0, DBL_MAX, false, "must be >= 0") : zero;
+  };
+  const Values mu = where(law.tangential != contact::Tangential::OFF, "coefficientFriction");
+  const Values rollingMu = where(law.rolling != contact::Rolling::OFF, "coefficientRollingFriction");
+  const Values rollingDamping = where(law.rolling == contact::Rolling::EPSD, "coefficientRollingViscousDamping");
+  const Values cohesion = where(law.cohesion != contact::Cohesion::OFF, "cohesionEnergyDensity");
 
   entries_.resize(zero.size());
   for (int i = 1; i <= ntypes_; ++i)
@@ -50,6 +53,8 @@ void MaterialTable::read(LAMMPS *lmp, Fix *fix, bool friction, bool rolling)
       e.material.damping = contact::dampingRatio(restitution[ij]);
       e.material.friction = mu[ij];
       e.material.rollingFriction = rollingMu[ij];
+      e.material.rollingDamping = rollingDamping[ij];
+      e.material.cohesionEnergy = cohesion[ij];
       e.scale = contact::CoarseGraining(lmp->force->cg(i));
       e.mixed = lmp->force->cg(i) != lmp->force->cg(j);
     }

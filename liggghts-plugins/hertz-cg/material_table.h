@@ -8,6 +8,7 @@
 #define GRAINJET_MATERIAL_TABLE_H
 
 #include "physics/contact/coarse_graining.h"
+#include "physics/contact/contact_law.h"
 #include "physics/contact/material.h"
 
 #include <string>
@@ -18,8 +19,9 @@ namespace LAMMPS_NS { class LAMMPS; class Fix; }
 namespace grainjet {
 
 /* The material data of a run by atom type, from the stock `fix property/global` of these names:
-   youngsModulus, poissonsRatio (peratomtype), coefficientRestitution and, where asked for,
-   coefficientFriction, coefficientRollingFriction (peratomtypepair).
+   youngsModulus, poissonsRatio (peratomtype), coefficientRestitution and, where the law asks for them,
+   coefficientFriction, coefficientRollingFriction, coefficientRollingViscousDamping,
+   cohesionEnergyDensity (peratomtypepair).
    Missing or impossible values are an error that names the property, the types and the value. */
 class MaterialTable {
  public:
@@ -31,7 +33,7 @@ class MaterialTable {
   };
 
   // Read the tables; the fix is the one that asks (for its name in messages)
-  void read(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::Fix *fix, bool friction, bool rolling);
+  void read(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::Fix *fix, const contact::LawOptions &law);
 
   int ntypes() const { return ntypes_; }
   const Entry &operator()(int itype, int jtype) const { return entries_[itype * (ntypes_ + 1) + jtype]; }

@@ -8,6 +8,7 @@
 #define GRAINJET_CONTACT_COARSE_GRAINING_H
 
 #include "physics/contact/hertz_mindlin.h"
+#include "physics/contact/rolling.h"
 
 namespace grainjet {
 namespace contact {
@@ -38,6 +39,11 @@ class CoarseGraining {
   {
     return {length_ * grain.overlap, length_ * grain.radius, mass_ * grain.mass};
   }
+  Spheres particles(const Spheres &grains) const
+  {
+    return {length_ * grains.radius1, length_ * grains.radius2, mass_ * grains.mass1, mass_ * grains.mass2};
+  }
+  Vector3 particleTorque(const Vector3 &grain) const { return mass_ * grain; }
   Vector3 particleSpring(const Vector3 &grain) const { return length_ * grain; }
   Vector3 particleRotation(const Vector3 &grain) const { return factor_ * grain; }
 

@@ -73,24 +73,27 @@ inline double normalForce(const Stiffness &k, double overlap, double vn)
   return k.normal * overlap - k.normalDamping * vn;
 }
 
-/* Force of the contact. When it slides, the spring keeps the length that carries mu |Fn|
-   if `shorten` is set (the spring is left alone where a state is only looked at).    */
+/* Tangential force with a spring, at most `limit` [N]. When the contact slides, the spring keeps the
+   length that carries the limit if `shorten` is set (it is left alone where a state is only looked
+   at).                                                                                          */
+inline Vector3 tangentialForce(const Stiffness &k, double limit, const Vector3 &vt, Vector3 &spring, bool shorten)
+{
+  const double stretched = length(spring);
+  const double elastic = k.tangential * stretched;
+  if (elastic <= limit) return -k.tangential * spring - k.tangentialDamping * vt;
+  const double ratio = limit / elastic;
+  const Vector3 force = -k.tangential * ratio * spring;
+  if (shorten) spring = ratio * spring;
+  return force;
+}
+
+// Force of the contact; `shorten` as in tangentialForce()
 inline Force hertzMindlin(const PairMaterial &m, const Stiffness &k, double overlap, double vn,
                           const Vector3 &vt, Vector3 &spring, bool shorten)
 {
   Force f;
   f.normal = normalForce(k, overlap, vn);
-
-  const double stretched = length(spring);
-  const double elastic = k.tangential * stretched;
-  const double limit = m.friction * std::fabs(f.normal);
-  if (elastic <= limit) {
-    f.tangential = -k.tangential * spring - k.tangentialDamping * vt;
-  } else {
-    const double ratio = limit / elastic;
-    f.tangential = -k.tangential * ratio * spring;
-    if (shorten) spring = ratio * spring;
-  }
+  f.tangential = tangentialForce(k, m.friction * std::fabs(f.normal), vt, spring, shorten);
   return f;
 }
 
@@ -98,18 +101,6 @@ inline Force hertzMindlin(const PairMaterial &m, const Stiffness &k, double over
 inline double elasticEnergy(const Stiffness &k, double overlap, const Vector3 &spring)
 {
   return 0.4 * k.normal * overlap * overlap + 0.5 * k.tangential * dot(spring, spring);
-}
-
-/* Rolling resistance of constant directional torque (CDT, Ai et al., Powder Technol. 206
-   (2011) 269): a torque mu_r kn d R* against the relative rotation w1 - w2, without its
-   part along n. Returned is the torque [N m] on grain 1; grain 2 gets the opposite.     */
-inline Vector3 rollingTorque(const PairMaterial &m, const Stiffness &k, const Geometry &g,
-                             const Vector3 &n, const Vector3 &relativeRotation)
-{
-  const double w = length(relativeRotation);
-  if (w == 0.0) return {0.0, 0.0, 0.0};
-  const double size = m.rollingFriction * k.normal * g.overlap * g.radius / w;
-  return without(-size * relativeRotation, n);
 }
 
 }

@@ -21,6 +21,8 @@ struct PairMaterial {
   double damping;            // -, -beta >= 0, see dampingRatio
   double friction;           // -, coefficient of sliding friction
   double rollingFriction;    // -, coefficient of rolling friction
+  double rollingDamping;     // -, ratio of damping of a rolling spring to the critical one
+  double cohesionEnergy;     // J/m3, cohesion energy density
 };
 
 // E* of two materials with Young's moduli E [Pa] and Poisson's ratios nu

@@ -8,6 +8,7 @@
 
 #include "physics/contact/coarse_graining.h"
 #include "physics/contact/hertz_mindlin.h"
+#include "physics/contact/rolling.h"
 
 #include <gtest/gtest.h>
 

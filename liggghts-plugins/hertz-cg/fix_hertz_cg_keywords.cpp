@@ -1,0 +1,96 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+/* fix hertz/cg: its keywords, first of all those of the stock `pair_style gran model hertz` */
+
+#include "hertz-cg/fix_hertz_cg.h"
+#include "host/fix_arguments.h"
+
+#include <string>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using namespace grainjet::contact;
+
+namespace {
+
+// one of several words, by its place among them
+int choice(grainjet::FixArguments &in, const std::string &keyword, const std::vector<std::string> &words)
+{
+  std::string list;
+  for (std::size_t n = 0; n < words.size(); ++n)
+    list += (n ? (n + 1 < words.size() ? ", " : " or ") : "") + words[n];
+  const std::string word = in.word("value after '" + keyword + "': " + list);
+  for (std::size_t n = 0; n < words.size(); ++n)
+    if (word == words[n]) return static_cast<int>(n);
+  in.fail(keyword + " must be " + list + ", not '" + word + "'");
+}
+
+bool on(grainjet::FixArguments &in, const std::string &keyword)
+{
+  return choice(in, keyword, {"off", "on"}) == 1;
+}
+
+}
+
+/* ----------------------------------------------------------------------
+   words of the law; false: it is none of them
+------------------------------------------------------------------------- */
+
+bool FixHertzCg::parse_law(grainjet::FixArguments &in, const std::string &keyword)
+{
+  if (keyword == "model") choice(in, keyword, {"hertz"});
+  else if (keyword == "surface") choice(in, keyword, {"default"});
+  else if (keyword == "tangential")
+    law_.tangential = std::vector<Tangential>{Tangential::HISTORY, Tangential::NO_HISTORY, Tangential::OFF}
+      [choice(in, keyword, {"history", "no_history", "off"})];
+  else if (keyword == "rolling" || keyword == "rolling_friction")
+    law_.rolling = std::vector<Rolling>{Rolling::OFF, Rolling::CDT, Rolling::EPSD, Rolling::EPSD2}
+      [choice(in, keyword, {"off", "cdt", "epsd", "epsd2"})];
+  else if (keyword == "cohesion")
+    law_.cohesion = std::vector<Cohesion>{Cohesion::OFF, Cohesion::SJKR, Cohesion::SJKR2}
+      [choice(in, keyword, {"off", "sjkr", "sjkr2"})];
+  else if (keyword == "torsionTorque") law_.torsion = on(in, keyword);
+  else if (keyword == "limitForce") law_.limitForce = on(in, keyword);
+  else if (keyword == "tangential_damping") law_.tangentialDamping = on(in, keyword);
+  else if (keyword == "tangential_reduce") law_.tangentialReduce = on(in, keyword);
+  else if (keyword == "viscous")
+    in.fail("viscous belongs to `model hooke` of the stock pair style; for hertz take it out");
+  else return false;
+  return true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixHertzCg::parse(int narg, char **arg)
+{
+  grainjet::FixArguments in(error, narg, arg);
+  std::vector<std::string> given;
+  while (in.more()) {
+    std::string keyword = in.word("keyword");
+    const std::string name = keyword == "rolling_friction" ? "rolling" : keyword;
+    for (const std::string &other : given)
+      if (other == name) in.fail("keyword '" + keyword + "' is given twice");
+    given.push_back(name);
+    if (parse_law(in, keyword)) continue;
+    if (keyword == "timestep_check") {
+      nevery = in.count("number of steps after 'timestep_check'");
+      timestep_fraction_ = in.positive("fraction after 'timestep_check'");
+      timestep_error_ = choice(in, "the end of timestep_check", {"warn", "error"}) == 1;
+    } else if (keyword == "overlap_check") {
+      overlap_fraction_ = in.positive("fraction after 'overlap_check'");
+    } else {
+      in.fail("unknown keyword '" + keyword + "'; known are model, tangential, rolling, torsionTorque, limitForce, "
+              "tangential_damping, cohesion, tangential_reduce, surface, timestep_check, overlap_check");
+    }
+  }
+  if (law_.torsion && law_.rolling == Rolling::OFF)
+    in.fail("torsionTorque has a meaning only with rolling cdt, epsd or epsd2");
+  if (law_.tangentialReduce && (law_.cohesion == Cohesion::OFF || law_.tangential == Tangential::OFF))
+    in.fail("tangential_reduce has a meaning only with cohesion and with friction");
+  if (!law_.tangentialDamping && law_.tangential == Tangential::OFF)
+    in.fail("tangential_damping has a meaning only with friction");
+}
