@@ -79,7 +79,7 @@ void FixHertzCg::parse(int narg, char **arg)
     if (keyword == "timestep_check") {
       nevery = in.count("number of steps after 'timestep_check'");
       timestep_fraction_ = in.positive("fraction after 'timestep_check'");
-      timestep_error_ = choice(in, "the end of timestep_check", {"warn", "error"}) == 1;
+      timestep_error_ = choice(in, "timestep_check N fraction", {"warn", "error"}) == 1;
     } else if (keyword == "overlap_check") {
       overlap_fraction_ = in.positive("fraction after 'overlap_check'");
     } else {

@@ -82,15 +82,29 @@ class BadInput(Case):
 
     def test_keywords(self):
         for words, expected in (
-                ("tangential", "missing model after 'tangential'"),
-                ("tangential spring", "tangential must be history or off"),
-                ("rolling epsd", "rolling must be off or cdt"),
+                ("tangential", "missing value after 'tangential': history, no_history or off"),
+                ("tangential spring", "tangential must be history, no_history or off, not 'spring'"),
+                ("rolling luding", "rolling must be off, cdt, epsd or epsd2, not 'luding'"),
+                ("rolling_friction epsd3", "rolling_friction must be off, cdt, epsd or epsd2"),
+                ("rolling cdt rolling_friction cdt", "'rolling_friction' is given twice"),
+                ("model hooke", "model must be hertz, not 'hooke'"),
+                ("surface multicontact", "surface must be default"),
+                ("cohesion easo", "cohesion must be off, sjkr or sjkr2"),
+                ("limitForce yes", "limitForce must be off or on, not 'yes'"),
+                ("tangential_damping", "missing value after 'tangential_damping'"),
+                ("viscous on", "viscous belongs to `model hooke`"),
+                ("torsionTorque on", "only with rolling"),
+                ("tangential_reduce on", "only with cohesion"),
+                ("tangential off tangential_damping off", "only with friction"),
+                ("computeElasticPotential on", "unknown keyword 'computeElasticPotential'"),
                 ("timestep_check 0 0.1 warn", "must be a whole number >= 1"),
                 ("timestep_check 10 -0.1 warn", "must be > 0"),
-                ("timestep_check 10 0.1", "'warn' or 'error'"),
-                ("timestep_check 10 0.1 stop", "must end with warn or error"),
+                ("timestep_check 10 0.1", "missing value after 'timestep_check N fraction': warn or error"),
+                ("timestep_check 10 0.1 stop", "must be warn or error, not 'stop'"),
                 ("overlap_check x", "not a number"),
-                ("cohesion sjkr", "unknown keyword 'cohesion'")):
+                ("cohesion sjkr", "'cohesionEnergyDensity' is missing"),
+                ("rolling epsd", "'coefficientRollingFriction' is missing"),
+                ("sticky 1", "unknown keyword 'sticky'")):
             with self.subTest(words=words):
                 result = self.liggghts(self.script(fix=f"fix c all hertz/cg {words}\n"), check=False)
                 self.assertFails(result, "ERROR", "hertz/cg", expected)

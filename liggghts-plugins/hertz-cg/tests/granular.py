@@ -10,6 +10,8 @@ fix m2 all property/global poissonsRatio peratomtype 0.3 0.25
 fix m3 all property/global coefficientRestitution peratomtypepair 2 0.9 0.7 0.7 0.8
 fix m4 all property/global coefficientFriction peratomtypepair 2 0.3 0.2 0.2 0.5
 fix m5 all property/global coefficientRollingFriction peratomtypepair 2 0.05 0.1 0.1 0.2
+fix m6 all property/global coefficientRollingViscousDamping peratomtypepair 2 0.3 0.2 0.2 0.4
+fix m7 all property/global cohesionEnergyDensity peratomtypepair 2 2.e4 3.e4 3.e4 5.e4
 """
 
 COLUMNS = ["id", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz",
@@ -32,13 +34,14 @@ units si
 STOCK, PLUGIN = "stock", "plugin"
 
 
-def contacts(kind, tangential="history", rolling="off", more=""):
-    """The contact law, by the stock pair style or by the plugin."""
+def contacts(kind, tangential="history", rolling="off", more="", words=""):
+    """The contact law, by the stock pair style or by the plugin. words: further ones of the stock
+    style, for both; more: for the plugin alone."""
     if kind == STOCK:
         options = f"tangential {tangential}" if tangential != "off" else ""
         options += f" rolling_friction {rolling}" if rolling != "off" else ""
-        return f"pair_style gran model hertz {options}\npair_coeff * *\n"
-    return f"fix c all hertz/cg tangential {tangential} rolling {rolling} {more}\n"
+        return f"pair_style gran model hertz {options} {words}\npair_coeff * *\n"
+    return f"fix c all hertz/cg tangential {tangential} rolling {rolling} {words} {more}\n"
 
 
 def load(kind):
