@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "compute.h"
 #include "domain.h"
 #include "error.h"
 #include "force.h"
@@ -148,6 +149,11 @@ void FixHertzCg::init()
   MPI_Allreduce(&radius, &rmax_, 1, MPI_DOUBLE, MPI_MAX, world);
   check_sizes();
 
+  bool through = modify->n_fixes_style("continuum/weighted") + modify->n_fixes_style("fiber/") > 0;
+  for (int i = 0; i < modify->ncompute; ++i)
+    through = through || strcmp(modify->compute[i]->style, "contact/atom/gran") == 0;
+  search_.require_skin(through);
+
   walls_ = grainjet::find_walls(lmp);
   search_.choose(2.0 * rmax_, packing(), walls_);
 
@@ -189,7 +195,12 @@ void FixHertzCg::check_host()
   if (modify->n_fixes_style_strict("hertz/cg") > 1)
     error->fix_error(FLERR, this, "is defined twice; contacts would act twice");
   if (modify->n_fixes_style("rigid") + modify->n_fixes_style("multisphere") > 0)
-    error->fix_error(FLERR, this, "does not know rigid bodies or multispheres");
+    error->fix_error(FLERR, this, "does not know rigid bodies or multispheres; use `pair_style gran` for them");
+  if (modify->n_fixes_style("multicontact") > 0)
+    error->fix_error(FLERR, this, "does not know fix multicontact/halfspace, which needs the stock pair style with "
+                     "`surface multicontact`");
+  if (modify->n_fixes_style("heat/gran") > 0 && force->cg_active())
+    error->cg(FLERR, "fix heat/gran, whose conduction goes with the size of a grain and not with f_cg");
   if (force->newton_pair) error->fix_error(FLERR, this, "needs `newton off`");
   if (!comm->ghost_velocity) error->fix_error(FLERR, this, "needs `communicate single vel yes`");
   if (force->nktv2p != 1.0)

@@ -188,7 +188,7 @@ void FixHertzCg::choose_margin(const double velocity[3])
     choice.pairs = 4.0 * packing();
     choice.with = 0.0;
   }
-  margin_ = choice.best();
+  margin_ = std::max(choice.best(), search_.least());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -60,6 +60,7 @@ void SearchSettings::choose(double diameter, double packing, const WallAxes &wal
   reach_ = kept_ > 0.0 ? kept_ : width * diameter;
   kept_ = 0.0;
   if (reach_ <= 0.0) reach_ = userSkin_;
+  reach_ = std::max(reach_, least());
   // so much that walls hardly ever ask for a search before two grains do, nor need a look of their own
   skin_ = 0.55 * reach_ / walls.reach;
 

@@ -33,6 +33,13 @@ class SearchSettings {
      diameter: of the largest grain [m]; packing: volume fraction where grains are, 0 for none yet. */
   void choose(double diameter, double packing, const WallAxes &walls);
 
+  // Some stock fix goes through the list of pairs for grains that do not touch: from the next choose() on
+  // the reach is at least the script's skin, as with the stock pair style
+  void require_skin(bool required) { required_ = required; }
+
+  // m, least margin of the list: the script's skin where it is required, else 0
+  double least() const { return required_ ? userSkin_ : 0.0; }
+
   // Have the next choose() take this reach [m]: that of the run that is continued
   void keep(double reach) { kept_ = reach; }
 
@@ -56,7 +63,7 @@ class SearchSettings {
 
   LAMMPS_NS::LAMMPS *lmp_;
   double diameter_ = 0.0, reach_ = 0.0, skin_ = 0.0, kept_ = 0.0;
-  bool taken_ = false;
+  bool taken_ = false, required_ = false;
   double userSkin_ = 0.0;
   int userDelay_ = 0;
   bool ownBins_ = false, ownSortBins_ = false;

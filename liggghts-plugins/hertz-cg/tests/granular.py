@@ -41,7 +41,8 @@ def contacts(kind, tangential="history", rolling="off", more="", words=""):
         options = f"tangential {tangential}" if tangential != "off" else ""
         options += f" rolling_friction {rolling}" if rolling != "off" else ""
         return f"pair_style gran model hertz {options} {words}\npair_coeff * *\n"
-    return f"fix c all hertz/cg tangential {tangential} rolling {rolling} {words} {more}\n"
+    options = f"rolling {rolling}" if rolling != "off" else ""
+    return f"fix c all hertz/cg tangential {tangential} {options} {words} {more}\n"
 
 
 def load(kind):
