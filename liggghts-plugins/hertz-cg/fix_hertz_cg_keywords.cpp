@@ -9,6 +9,7 @@
 #include "hertz-cg/fix_hertz_cg.h"
 #include "host/fix_arguments.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -72,8 +73,8 @@ void FixHertzCg::parse(int narg, char **arg)
   while (in.more()) {
     std::string keyword = in.word("keyword");
     const std::string name = keyword == "rolling_friction" ? "rolling" : keyword;
-    for (const std::string &other : given)
-      if (other == name) in.fail("keyword '" + keyword + "' is given twice");
+    if (std::find(given.begin(), given.end(), name) != given.end())
+      in.fail("keyword '" + keyword + "' is given twice");
     given.push_back(name);
     if (parse_law(in, keyword)) continue;
     if (keyword == "timestep_check") {
@@ -87,6 +88,9 @@ void FixHertzCg::parse(int narg, char **arg)
               "tangential_damping, cohesion, tangential_reduce, surface, timestep_check, overlap_check");
     }
   }
+  const auto stated = [&](const char *keyword) { return std::find(given.begin(), given.end(), keyword) != given.end(); };
+  if (stated("model") && !stated("tangential"))
+    in.fail("needs `tangential` after `model hertz`: left out it means off in pair_style gran, and history here");
   if (law_.torsion && law_.rolling == Rolling::OFF)
     in.fail("torsionTorque has a meaning only with rolling cdt, epsd or epsd2");
   if (law_.tangentialReduce && (law_.cohesion == Cohesion::OFF || law_.tangential == Tangential::OFF))

@@ -87,6 +87,7 @@ class BadInput(Case):
                 ("rolling luding", "rolling must be off, cdt, epsd or epsd2, not 'luding'"),
                 ("rolling_friction epsd3", "rolling_friction must be off, cdt, epsd or epsd2"),
                 ("rolling cdt rolling_friction cdt", "'rolling_friction' is given twice"),
+                ("model hertz", "needs `tangential` after `model hertz`"),
                 ("model hooke", "model must be hertz, not 'hooke'"),
                 ("surface multicontact", "surface must be default"),
                 ("cohesion easo", "cohesion must be off, sjkr or sjkr2"),
