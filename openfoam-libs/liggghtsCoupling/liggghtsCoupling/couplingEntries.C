@@ -1,0 +1,347 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingEntries.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "Switch.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+enum class valueType {WORD, WORDS, FILE, LABEL, SCALAR, SWITCH, DICTIONARY, ANY};
+
+typedef HashTable<valueType> entryTable;
+
+const entryTable& ofTheCoupling()
+{
+    static const entryTable table
+    ({
+        {"script", valueType::FILE},
+        {"couplingInterval", valueType::LABEL},
+        {"coupling", valueType::WORD},
+        {"voidFraction", valueType::DICTIONARY},
+        {"drag", valueType::WORD},
+        {"forces", valueType::WORDS},
+        {"interpolation", valueType::WORD},
+        {"formulation", valueType::WORD},
+        {"momentum", valueType::WORD},
+        {"turbulenceSources", valueType::WORD},
+        {"ChenWoodCoeffs", valueType::DICTIONARY},
+        {"U", valueType::WORD},
+        {"p", valueType::WORD},
+        {"log", valueType::FILE}
+    });
+    return table;
+}
+
+
+const entryTable& ofEveryOption()
+{
+    static const entryTable table
+    ({
+        {"type", valueType::WORD},
+        {"active", valueType::SWITCH},
+        {"libs", valueType::ANY}
+    });
+    return table;
+}
+
+
+const entryTable& ofVoidFraction()
+{
+    static const entryTable table
+    ({
+        {"model", valueType::WORD},
+        {"minimum", valueType::SCALAR}
+    });
+    return table;
+}
+
+
+const entryTable& ofChenWood()
+{
+    static const entryTable table
+    ({
+        {"B", valueType::SCALAR},
+        {"Ce", valueType::SCALAR},
+        {"C3", valueType::SCALAR}
+    });
+    return table;
+}
+
+
+// Read a value and drop it: OpenFOAM's own functions say what is wrong with it, and where
+void readValue(const dictionary& dict, const word& key, const valueType type)
+{
+    if (dict.isDict(key) != (type == valueType::DICTIONARY) && type != valueType::ANY)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " in " << dict.dictName()
+            << (dict.isDict(key) ? " is" : " is not") << " a dictionary. Write "
+            << key << (dict.isDict(key) ? " value;" : " { ... }")
+            << exit(FatalIOError);
+    }
+    switch (type)
+    {
+        case valueType::WORD: dict.get<word>(key); break;
+        case valueType::WORDS: dict.get<wordList>(key); break;
+        case valueType::FILE: dict.get<fileName>(key); break;
+        case valueType::LABEL: dict.get<label>(key); break;
+        case valueType::SCALAR: dict.get<scalar>(key); break;
+        case valueType::SWITCH: dict.get<Switch>(key); break;
+        case valueType::DICTIONARY: break;
+        case valueType::ANY: break;
+    }
+}
+
+
+void checkTable(const dictionary& dict, const entryTable& known)
+{
+    for (const entry& e : dict)
+    {
+        const auto type = known.cfind(e.keyword());
+        if (!type.found())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry " << e.keyword() << " in " << dict.dictName()
+                << ". Valid: " << flatOutput(known.sortedToc())
+                << exit(FatalIOError);
+        }
+        readValue(dict, e.keyword(), *type);
+    }
+}
+
+
+// Pass over the rest of an entry that is no dictionary
+void skipValue(ISstream& is, token t)
+{
+    label depth = 0;
+    while (is.good() && t.good())
+    {
+        if (t == token::BEGIN_LIST || t == token::BEGIN_BLOCK || t == token::BEGIN_SQR)
+        {
+            ++depth;
+        }
+        else if (t == token::END_LIST || t == token::END_BLOCK || t == token::END_SQR)
+        {
+            --depth;
+        }
+        else if (t == token::END_STATEMENT && depth == 0)
+        {
+            return;
+        }
+        is.read(t);
+    }
+}
+
+
+// Walk through a file as it is typed, up to the end of the dictionary that begins here. Returns the
+// first keyword that stands twice in a dictionary within `inside`, or is this name; or nothing
+word firstRepeated(ISstream& is, const word& name, const bool inside, label& line)
+{
+    HashSet<string> keys;
+    token t;
+
+    while (is.read(t).good() && t.good() && t != token::END_BLOCK)
+    {
+        if (!t.isStringType() && !t.isWord())
+        {
+            continue;
+        }
+        const string key(t.isWord() ? string(t.wordToken()) : t.stringToken());
+        if (key[0] == '#')
+        {
+            // A directive and its argument. Conditions make two entries of which one counts
+            if (key.substr(0, 3) == "#if")
+            {
+                return word();
+            }
+            is.read(t);
+            continue;
+        }
+        if (!keys.insert(key) && (inside || key == name))
+        {
+            line = t.lineNumber();
+            return word(key, false);
+        }
+
+        is.read(t);
+        if (t == token::BEGIN_BLOCK)
+        {
+            const word found(firstRepeated(is, name, inside || key == name, line));
+            if (!found.empty())
+            {
+                return found;
+            }
+        }
+        else
+        {
+            skipValue(is, t);
+        }
+    }
+    return word();
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::couplingEntries::checkOnlyOne
+(
+    const word& name,
+    const word& type,
+    const dictionary& dict
+)
+{
+    for (const entry& e : dict.parent())
+    {
+        word other;
+        if
+        (
+            e.isDict() && e.keyword() != name
+         && e.dict().readIfPresent("type", other) && other == type
+        )
+        {
+            FatalIOErrorInFunction(dict.parent())
+                << "Two options of type " << type << ": " << name << " and " << e.keyword()
+                << ". Both would use the same log, restart files and fields, so there can"
+                << " be only one, also if it is switched off by active. Put all grains into"
+                << " one script and remove the other option" << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::couplingEntries::checkRepeated
+(
+    const word& name,
+    const dictionary& dict,
+    const fileName& file
+)
+{
+    IFstream is(file);
+    label line = 0;
+    const word key(firstRepeated(is, name, false, line));
+
+    if (!key.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " of " << name << " stands in " << file
+            << " twice, for the second time in line " << line
+            << ". Only one of both can count: remove the other" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
+{
+    // Entries may lie in a sub-dictionary of the option's own name
+    const word sub(type + "Coeffs");
+    const bool apart = dict.isDict(sub);
+    const dictionary& coeffs = apart ? dict.subDict(sub) : dict;
+
+    entryTable known(ofEveryOption());
+    if (apart)
+    {
+        known.insert(sub, valueType::DICTIONARY);
+        checkTable(coeffs, ofTheCoupling());
+    }
+    else
+    {
+        forAllConstIters(ofTheCoupling(), iter)
+        {
+            known.insert(iter.key(), *iter);
+        }
+    }
+    checkTable(dict, known);
+    checkTable(coeffs.subOrEmptyDict("voidFraction"), ofVoidFraction());
+    checkTable(coeffs.subOrEmptyDict("ChenWoodCoeffs"), ofChenWood());
+
+    wordHashSet forces;
+    for (const word& force : coeffs.lookupOrDefault<wordList>("forces", wordList()))
+    {
+        if (!forces.insert(force))
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "forces: " << force << " stands in the list twice, and would act twice."
+                << " Remove one of both" << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::couplingEntries::file(const fvMesh& mesh)
+{
+    fileName used;
+    for (const word& instance : {mesh.time().constant(), mesh.time().system()})
+    {
+        const fileName path
+        (
+            mesh.time().globalPath()/instance/mesh.dbDir()/"fvOptions"
+        );
+        if (!isFile(path))
+        {
+            continue;
+        }
+        if (used.empty())
+        {
+            used = path;
+        }
+        else
+        {
+            WarningInFunction
+                << "OpenFOAM reads " << used << ", and " << path
+                << " is never read. Remove one of both" << endl;
+        }
+    }
+    return used;
+}
+
+
+Foam::dictionary Foam::couplingEntries::checked
+(
+    const word& name,
+    const word& type,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    fileName location(dict.name());
+    onMaster
+    (
+        [&]()
+        {
+            checkOnlyOne(name, type, dict);
+            checkRepeated(name, dict, file(mesh));
+            checkKnown(type, dict);
+        }
+    );
+    Pstream::scatter(location);
+
+    dictionary result(dict);
+    result.name() = location;
+    for (entry& e : result)
+    {
+        if (e.isDict())
+        {
+            e.dict().name() = location + '.' + e.keyword();
+        }
+    }
+    return result;
+}
+
+
+// ************************************************************************* //
