@@ -327,14 +327,6 @@ void Foam::couplingCase::check() const
             << exit(FatalIOError);
     }
 
-    const label interval = dict_.get<label>("couplingInterval");
-    if (interval < 1)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "couplingInterval " << interval << " is not positive: it is the"
-            << " number of DEM steps in a fluid step" << exit(FatalIOError);
-    }
-
     couplingEntries::onMaster
     (
         [&]()

@@ -17,7 +17,15 @@ namespace Foam
 namespace
 {
 
-enum class valueType {WORD, WORDS, FILE, LABEL, SCALAR, SWITCH, DICTIONARY, ANY};
+// Numbers are finite, and below a million
+enum class valueType
+{
+    WORD, WORDS, FILE, SWITCH, DICTIONARY, ANY,
+    COUNT,          // a whole number from 1 on
+    POSITIVE,       // a number above zero
+    NOT_NEGATIVE,
+    FRACTION        // a number above 0 and below 1
+};
 
 typedef HashTable<valueType> entryTable;
 
@@ -26,7 +34,7 @@ const entryTable& ofTheCoupling()
     static const entryTable table
     ({
         {"script", valueType::FILE},
-        {"couplingInterval", valueType::LABEL},
+        {"couplingInterval", valueType::COUNT},
         {"coupling", valueType::WORD},
         {"voidFraction", valueType::DICTIONARY},
         {"drag", valueType::WORD},
@@ -61,7 +69,7 @@ const entryTable& ofVoidFraction()
     static const entryTable table
     ({
         {"model", valueType::WORD},
-        {"minimum", valueType::SCALAR}
+        {"minimum", valueType::FRACTION}
     });
     return table;
 }
@@ -71,11 +79,29 @@ const entryTable& ofChenWood()
 {
     static const entryTable table
     ({
-        {"B", valueType::SCALAR},
-        {"Ce", valueType::SCALAR},
-        {"C3", valueType::SCALAR}
+        {"B", valueType::NOT_NEGATIVE},
+        {"Ce", valueType::POSITIVE},
+        {"C3", valueType::NOT_NEGATIVE}
     });
     return table;
+}
+
+
+void checkNumber
+(
+    const dictionary& dict,
+    const word& key,
+    const bool good,
+    const char* expected
+)
+{
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " in " << dict.dictName() << " is "
+            << token(dict.lookup(key).first()) << ", but must be " << expected
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -90,16 +116,45 @@ void readValue(const dictionary& dict, const word& key, const valueType type)
             << key << (dict.isDict(key) ? " value;" : " { ... }")
             << exit(FatalIOError);
     }
+    const scalar million = 1e6;
     switch (type)
     {
         case valueType::WORD: dict.get<word>(key); break;
         case valueType::WORDS: dict.get<wordList>(key); break;
         case valueType::FILE: dict.get<fileName>(key); break;
-        case valueType::LABEL: dict.get<label>(key); break;
-        case valueType::SCALAR: dict.get<scalar>(key); break;
         case valueType::SWITCH: dict.get<Switch>(key); break;
         case valueType::DICTIONARY: break;
         case valueType::ANY: break;
+
+        case valueType::COUNT:
+        {
+            checkNumber(dict, key, dict.get<label>(key) > 0, "a whole number from 1 on");
+            break;
+        }
+        case valueType::POSITIVE:
+        {
+            const scalar x = dict.get<scalar>(key);
+            checkNumber
+            (
+                dict, key, x > 1/million && x < million, "positive, from 1e-6 to 1e6"
+            );
+            break;
+        }
+        case valueType::NOT_NEGATIVE:
+        {
+            const scalar x = dict.get<scalar>(key);
+            checkNumber
+            (
+                dict, key, x >= 0 && x < million, "not negative, and below 1e6"
+            );
+            break;
+        }
+        case valueType::FRACTION:
+        {
+            const scalar x = dict.get<scalar>(key);
+            checkNumber(dict, key, x > 0 && x < 1, "above 0 and below 1");
+            break;
+        }
     }
 }
 

@@ -32,19 +32,6 @@ Foam::ChenWoodTurbulence::ChenWoodTurbulence
     B_ = coeffs.lookupOrDefault<scalar>("B", 0.0825);
     Ce_ = coeffs.lookupOrDefault<scalar>("Ce", 0.165);
     C3_ = coeffs.lookupOrDefault<scalar>("C3", 1.2);
-
-    const scalar largest = 1e6;
-    if
-    (
-        !(B_ >= 0 && B_ < largest) || !(C3_ >= 0 && C3_ < largest)
-     || !(Ce_ > 1/largest && Ce_ < largest)
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "ChenWoodCoeffs: B " << B_ << ", Ce " << Ce_ << ", C3 " << C3_
-            << " must not be negative, Ce not zero, and none as large as " << largest
-            << exit(FatalIOError);
-    }
 }
 
 
