@@ -20,10 +20,15 @@ Description
 #include "error.h"
 #include "fix.h"
 #include "compute.h"
+#include "abstract_mesh.h"
+#include "fix_mesh.h"
 #include "input.h"
+#include "modify.h"
 
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -132,11 +137,56 @@ std::string place(LAMMPS_NS::Input* input, FILE* infile)
 }
 
 
+// The file that a fix mesh/surface was made of: LIGGGHTS keeps no name, but its log has the line
+std::string meshFile(const std::string& id)
+{
+    std::ifstream log(Foam::sessionPlace::log);
+    std::string line;
+    std::string file;
+    while (std::getline(log, line))
+    {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word != "fix" || !(words >> word) || word != id)
+        {
+            continue;
+        }
+        while (words >> word)
+        {
+            if (word == "file")
+            {
+                words >> file;
+            }
+        }
+    }
+    return file;
+}
+
+
+// All meshes of walls, for errors that LIGGGHTS finds after the script without saying in which
+std::string meshes(LAMMPS_NS::Modify* modify)
+{
+    std::string result;
+    for (int i = 0; i < modify->nfix; ++i)
+    {
+        auto* fix = dynamic_cast<LAMMPS_NS::FixMesh*>(modify->fix[i]);
+        if (fix && fix->mesh())
+        {
+            result +=
+                std::string("\n    fix ") + fix->id + ' ' + fix->style + ": "
+              + std::to_string(fix->mesh()->sizeLocal()) + " elements from "
+              + meshFile(fix->id);
+        }
+    }
+    return result;
+}
+
+
 // Both places a user may look at: the solver's log and LIGGGHTS' own
 [[noreturn]] void report
 (
-    LAMMPS_NS::Input* input,
-    FILE* infile,
+    LAMMPS_NS::LAMMPS* lmp,
     FILE* logfile,
     const std::string& message,
     const char* file,
@@ -151,7 +201,8 @@ std::string place(LAMMPS_NS::Input* input, FILE* infile)
 
     Foam::sessionError
     (
-        "LIGGGHTS stopped: " + message + place(input, infile)
+        "LIGGGHTS stopped: " + message + place(lmp->input, lmp->infile)
+      + (message.compare(0, 10, "Mesh error") ? "" : meshes(lmp->modify))
       + "\n    log of LIGGGHTS " + Foam::sessionPlace::log
       + ", source " + file + ":" + std::to_string(line)
     );
@@ -184,27 +235,27 @@ namespace LAMMPS_NS
 
 void Error::universe_all(const char* file, int line, const char* text)
 {
-    report(input, infile, logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::universe_one(const char* file, int line, const char* text)
 {
-    report(input, infile, logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::all(const char* file, int line, const char* text)
 {
-    report(input, infile, logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::one(const char* file, int line, const char* text)
 {
-    report(input, infile, logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::fix_error(const char* file, int line, Fix* fix, const char* text)
 {
-    report(input, infile, logfile, styled("fix", fix->style, fix->id, text), file, line);
+    report(lmp, logfile, styled("fix", fix->style, fix->id, text), file, line);
 }
 
 void Error::fix_error
@@ -216,7 +267,7 @@ void Error::fix_error
     const char* text
 )
 {
-    report(input, infile, logfile, styled("fix", style, fix->id, text), file, line);
+    report(lmp, logfile, styled("fix", style, fix->id, text), file, line);
 }
 
 void Error::compute_error
@@ -227,7 +278,7 @@ void Error::compute_error
     const char* text
 )
 {
-    report(input, infile, logfile, styled("compute", compute->style, compute->id, text), file, line);
+    report(lmp, logfile, styled("compute", compute->style, compute->id, text), file, line);
 }
 
 // The command quit: the stock program ends here, but the fluid has not begun
