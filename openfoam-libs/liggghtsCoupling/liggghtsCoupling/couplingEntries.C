@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingEntries.H"
-#include "IFstream.H"
 #include "OSspecific.H"
+#include "repeatedEntry.H"
 #include "Switch.H"
 #include "Time.H"
 
@@ -98,8 +98,8 @@ void checkNumber
     if (!good)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << key << " in " << dict.dictName() << " is "
-            << token(dict.lookup(key).first()) << ", but must be " << expected
+            << key << ' ' << dict.lookup(key).first() << " in " << dict.dictName()
+            << " must be " << expected
             << exit(FatalIOError);
     }
 }
@@ -175,77 +175,6 @@ void checkTable(const dictionary& dict, const entryTable& known)
     }
 }
 
-
-// Pass over the rest of an entry that is no dictionary
-void skipValue(ISstream& is, token t)
-{
-    label depth = 0;
-    while (is.good() && t.good())
-    {
-        if (t == token::BEGIN_LIST || t == token::BEGIN_BLOCK || t == token::BEGIN_SQR)
-        {
-            ++depth;
-        }
-        else if (t == token::END_LIST || t == token::END_BLOCK || t == token::END_SQR)
-        {
-            --depth;
-        }
-        else if (t == token::END_STATEMENT && depth == 0)
-        {
-            return;
-        }
-        is.read(t);
-    }
-}
-
-
-// Walk through a file as it is typed, up to the end of the dictionary that begins here. Returns the
-// first keyword that stands twice in a dictionary within `inside`, or is this name; or nothing
-word firstRepeated(ISstream& is, const word& name, const bool inside, label& line)
-{
-    HashSet<string> keys;
-    token t;
-
-    while (is.read(t).good() && t.good() && t != token::END_BLOCK)
-    {
-        if (!t.isStringType() && !t.isWord())
-        {
-            continue;
-        }
-        const string key(t.isWord() ? string(t.wordToken()) : t.stringToken());
-        if (key[0] == '#')
-        {
-            // A directive and its argument. Conditions make two entries of which one counts
-            if (key.substr(0, 3) == "#if")
-            {
-                return word();
-            }
-            is.read(t);
-            continue;
-        }
-        if (!keys.insert(key) && (inside || key == name))
-        {
-            line = t.lineNumber();
-            return word(key, false);
-        }
-
-        is.read(t);
-        if (t == token::BEGIN_BLOCK)
-        {
-            const word found(firstRepeated(is, name, inside || key == name, line));
-            if (!found.empty())
-            {
-                return found;
-            }
-        }
-        else
-        {
-            skipValue(is, t);
-        }
-    }
-    return word();
-}
-
 } // End anonymous namespace
 } // End namespace Foam
 
@@ -285,9 +214,8 @@ void Foam::couplingEntries::checkRepeated
     const fileName& file
 )
 {
-    IFstream is(file);
     label line = 0;
-    const word key(firstRepeated(is, name, false, line));
+    const word key(firstRepeatedEntry(file, name, line));
 
     if (!key.empty())
     {
