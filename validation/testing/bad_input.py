@@ -69,7 +69,7 @@ KINDS = {
     # the name of something that the host has, such as a field
     "name": [("another name", "noSuchName"), ("a number", "1"), ("two values", "one two")],
     # a file that must exist
-    "file": [("not there", '"no/such.file"'), ("a folder", '"."'), ("an empty string", '""')],
+    "file": [("not there", '"no/such.file"'), ("with a blank", '"no such file"'), ("a folder", '"."'), ("an empty string", '""')],
     # a file that is written
     "output": [("in a missing folder", '"no/such/folder/file"'), ("a folder", '"."'), ("an empty string", '""')],
 }

@@ -121,7 +121,24 @@ void readValue(const dictionary& dict, const word& key, const valueType type)
     {
         case valueType::WORD: dict.get<word>(key); break;
         case valueType::WORDS: dict.get<wordList>(key); break;
-        case valueType::FILE: dict.get<fileName>(key); break;
+        case valueType::FILE:
+        {
+            // Read as a file name, OpenFOAM ends the run for a blank without naming the entry
+            const ITstream& is = dict.lookup(key);
+            if (is.size() == 1 && is[0].isString())
+            {
+                const string path(is[0].stringToken());
+                if (!string::valid<fileName>(path))
+                {
+                    FatalIOErrorInFunction(dict)
+                        << key << ' ' << path << " holds a character that OpenFOAM does"
+                        << " not allow in a file name, such as a blank or a quote"
+                        << exit(FatalIOError);
+                }
+            }
+            dict.get<fileName>(key);
+            break;
+        }
         case valueType::SWITCH: dict.get<Switch>(key); break;
         case valueType::DICTIONARY: break;
         case valueType::ANY: break;

@@ -234,6 +234,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     }
     checkTimeStep();
     checkOverlap();
+    checkGrains();
     setPeriod();
 
     setGravity();

@@ -81,7 +81,7 @@ void Foam::fv::liggghtsCoupling::checkTimeStep() const
             << " s (system/controlDict), couplingInterval " << interval_
             << ", timestep " << dem << " s (" << script_ << "), product "
             << interval_*dem << " s.\n    Set deltaT to " << interval_*dem;
-        if (fluid > 0 && std::round(fluid/dem) >= 1)
+        if (std::round(fluid/dem) >= 1 && fluid/dem < labelMax)
         {
             message << " or couplingInterval to " << fluid/dem;
         }
@@ -112,13 +112,58 @@ void Foam::fv::liggghtsCoupling::checkOverlap() const
 }
 
 
+void Foam::fv::liggghtsCoupling::checkGrains() const
+{
+    // Far beyond any grain, and far from where products of such numbers overflow
+    const scalar smallRadius = 1e-12, largeRadius = 1e6;
+    const scalar smallMass = 1e-30, largeMass = 1e30;
+    const scalar largeSpeed = 1e9;
+
+    const liggghtsSession::grainArrays grains = session_->grains();
+    label odd = labelMax;
+    for (label i = 0; i < grains.n; ++i)
+    {
+        const scalar r = grains.radius[i];
+        const scalar m = grains.mass[i];
+        const double* v = grains.velocity[i];
+        const scalar speed = mag(v[0]) + mag(v[1]) + mag(v[2]);
+        if
+        (
+            !(r > smallRadius && r < largeRadius && m > smallMass && m < largeMass)
+         || !(speed < largeSpeed)
+        )
+        {
+            odd = min(odd, label(grains.id[i]));
+        }
+    }
+    reduce(odd, minOp<label>());
+
+    if (odd != labelMax)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "script " << script_ << ": grain " << odd << " has a radius outside of "
+            << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
+            << " to " << largeMass << " kg, or a speed above " << largeSpeed
+            << " m/s. See its diameter, density and velocity" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::fv::liggghtsCoupling::setGravity()
 {
     double g[3];
     const bool hasGravity = session_->gravity(g);
     if (hasGravity)
     {
-        fluid_.setGravity(vector(g[0], g[1], g[2]));
+        const vector gravity(g[0], g[1], g[2]);
+        const scalar large = 1e9;
+        if (!(mag(gravity.x()) + mag(gravity.y()) + mag(gravity.z()) < large))
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "script " << script_ << ": fix gravity of " << gravity
+                << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+        }
+        fluid_.setGravity(gravity);
     }
     for (const grainForce& force : forces_)
     {

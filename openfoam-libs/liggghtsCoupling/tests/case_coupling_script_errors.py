@@ -105,6 +105,16 @@ class ScriptErrors(bad_case.BadCase):
             fix ins all insert/rate/region seed 49979687 distributiontemplate pdd nparticles 10 particlerate 1000 &
                 insert_every 10 overlapcheck yes region in""")
 
+    # its numbers
+
+    def test_numbers_that_no_grain_has(self):
+        for what in ({"density": 1e-300}, {"density": 1e300}, {"diameter": 1e-300}, {"diameter": 1e300}):
+            self.refused("constant/in.particles", "grain 1", "constant/fvOptions",
+                         grains=box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)], **what))
+        self.refused("constant/in.particles", "grain 2", "speed", ranks=(0, 2),
+                     grains=box.grains([(0.01, 0.01, 0.01), (0.01, 0.01, 0.03)], [(0, 0, 1), (0, 0, 1e300)]))
+        self.refused("constant/in.particles", "gravity", gravity="fix g all gravity 1e300 vector 0 0 -1")
+
     # the log
 
     def test_log(self):
