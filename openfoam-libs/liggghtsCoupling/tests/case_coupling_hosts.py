@@ -101,6 +101,34 @@ class Hosts(bad_case.BadCase):
         self.put(folder, "constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;\n")
         self.assertRuns(folder)
 
+    def buoyant(self, folder):
+        """What the solvers for buoyant and rotating flow need besides."""
+        self.put(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n",
+                 "uniformDimensionedVectorField")
+        self.change(folder, "constant/transportProperties", (
+            "nu [0 2", "beta [0 0 0 -1 0 0 0] 3e-3; TRef [0 0 0 1 0 0 0] 300; Pr [0 0 0 0 0 0 0] 0.7; "
+            "Prt [0 0 0 0 0 0 0] 0.85; nu [0 2"))
+        self.field(folder, "T", "[0 0 0 1 0 0 0]", "300")
+        self.field(folder, "p_rgh", "[0 2 -2 0 0 0 0]", "0",
+                   'boundaryField { ".*" { type fixedFluxPressure; rho rhok; value uniform 0; } }\n')
+        self.field(folder, "alphat", "[0 2 -1 0 0 0 0]", "0",
+                   'boundaryField { ".*" { type calculated; value uniform 0; } }\n')
+        self.change(folder, "system/fvSolution", ('"U.*"', '"(U|T).*"'))
+
+    def test_buoyant_flow_works(self):
+        """Incompressible with a field rhok, which is no density."""
+        folder = self.fresh()
+        self.buoyant(folder)
+        result = self.assertRuns(folder, solver="buoyantBoussinesqPimpleFoam")
+        self.assertIn("liggghtsCoupling: grains 1", result.output)
+
+    def test_rotating_frame(self):
+        folder = self.fresh()
+        (folder / "0/Urel").write_text((folder / "0/U").read_text().replace("object U", "object Urel"))
+        self.put(folder, "constant/SRFProperties", "SRFModel rpm; origin (0 0 0); axis (0 0 1); rpmCoeffs { rpm 10; }\n")
+        box.fv_options(folder, U="Urel")
+        self.assertRefused(folder, "SRFPimpleFoam", "rotating frame", "constant/fvOptions", solver="SRFPimpleFoam")
+
     # meshes
 
     def test_changing_meshes(self):
