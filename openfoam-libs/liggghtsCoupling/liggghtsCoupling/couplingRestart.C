@@ -149,7 +149,7 @@ bool Foam::couplingRestart::writeObject
 
     fileName file(grainFile(time.timePath()));
     Pstream::scatter(file);
-    session_.writeRestart(file);
+    session_.writeRestart(time.relativePath(file));
 
     return true;
 }

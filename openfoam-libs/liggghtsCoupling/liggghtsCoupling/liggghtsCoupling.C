@@ -6,7 +6,11 @@
 
 #include "liggghtsCoupling.H"
 #include "addToRunTimeSelectionTable.H"
+#include "couplingCase.H"
+#include "couplingEntries.H"
 #include "fvMatrices.H"
+#include "noFloatTraps.H"
+#include "switchedOffCoupling.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <malloc.h>
@@ -18,6 +22,31 @@ namespace Foam
 namespace fv
 {
     defineTypeNameAndDebug(liggghtsCoupling, 0);
+
+    // Switched off by the entry active, it must not need what a coupling needs, nor start LIGGGHTS
+    template<>
+    autoPtr<option> option::adddictionaryConstructorToTable<liggghtsCoupling>::New
+    (
+        const word& name,
+        const word& modelType,
+        const dictionary& dict,
+        const fvMesh& mesh
+    )
+    {
+        const dictionary checked
+        (
+            couplingEntries::checked(name, modelType, dict, mesh)
+        );
+        if (!checked.lookupOrDefault<Switch>("active", true))
+        {
+            return autoPtr<option>
+            (
+                new switchedOffCoupling(name, modelType, checked, mesh)
+            );
+        }
+        return autoPtr<option>(new liggghtsCoupling(name, modelType, checked, mesh));
+    }
+
     addToRunTimeSelectionTable(option, liggghtsCoupling, dictionary);
 }
 }
@@ -29,6 +58,14 @@ namespace Foam
 {
 namespace
 {
+
+// The case is checked before anything is made of it
+const dictionary& checkedCase(const dictionary& dict, const fvMesh& mesh)
+{
+    couplingCase(dict, mesh).check();
+    return dict;
+}
+
 
 grainjet::drag::BatchLaw selectDrag(const dictionary& dict)
 {
@@ -88,28 +125,6 @@ IOobject coupledField(const word& name, const fvMesh& mesh)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool Foam::fv::liggghtsCoupling::readSwitch
-(
-    const dictionary& dict,
-    const word& key,
-    const word& on,
-    const word& off
-)
-{
-    const word value(dict.lookupOrDefault<word>(key, on));
-
-    if (value != on && value != off)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown " << key << ' ' << value << "\n\nValid: " << on << ", "
-            << off << exit(FatalIOError);
-    }
-    return value == on;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fv::liggghtsCoupling::liggghtsCoupling
@@ -121,7 +136,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 )
 :
     option(name, modelType, dict, mesh),
-    script_(coeffs_.get<fileName>("script")),
+    script_(checkedCase(coeffs_, mesh).get<fileName>("script")),
     interval_(coeffs_.get<label>("couplingInterval")),
     twoWay_(readSwitch(coeffs_, "coupling", "twoWay", "oneWay")),
     setI_(readSwitch(coeffs_, "formulation", "SetI", "SetII")),
@@ -138,6 +153,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
     shares_(locator_, boxes_),
     log_(mesh, twoWay_),
+    checkedModel_(false),
     timeIndex_(mesh.time().timeIndex()),
     occupied_(mesh.nCells()),
     forceDensity_
@@ -175,8 +191,6 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         dimensionedVector(dimForce/dimVolume, Zero)
     )
 {
-    checkEntries();
-
     fieldNames_ = wordList(1, fluid_.UName());
     if (twoWay_ && turbulence_)
     {
@@ -192,7 +206,12 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     {
         forces_.append(grainForce::New(force, coeffs_, fluid_));
     }
-    checkCase();
+
+    // Most solvers make their model before their options
+    if (fluid_.model())
+    {
+        checkModel();
+    }
 
     keepMemory();
 
@@ -208,29 +227,17 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         )
     );
     const fileName grainFile(couplingRestart::startFile(mesh.time()));
-    session_->start(script_, grainFile);
+    {
+        // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
+        const noFloatTraps quiet;
+        session_->start(script_, mesh.time().relativePath(grainFile));
+    }
     checkTimeStep();
     checkOverlap();
+    checkGrains();
     setPeriod();
 
-    double g[3];
-    const bool hasGravity = session_->gravity(g);
-    if (hasGravity)
-    {
-        fluid_.setGravity(vector(g[0], g[1], g[2]));
-    }
-    for (const grainForce& force : forces_)
-    {
-        bodyForce_ += force.bodyForce();
-        if (force.type() == "buoyancy" && !hasGravity)
-        {
-            FatalIOErrorInFunction(coeffs_)
-                << "forces: buoyancy needs gravity, but " << script_
-                << " has no fix gravity. Add it there, for instance\n"
-                << "    fix g all gravity 9.81 vector 0 0 -1\n"
-                << "or take buoyancy out of the list" << exit(FatalIOError);
-        }
-    }
+    setGravity();
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
     guests_->forget();
@@ -282,8 +289,14 @@ void Foam::fv::liggghtsCoupling::addSup
             << exit(FatalIOError);
     }
 
+    if (!checkedModel_)
+    {
+        checkModel();
+    }
+
     if (timeIndex_ != mesh_.time().timeIndex())
     {
+        checkSources();
         timeIndex_ = mesh_.time().timeIndex();
         advance();
     }
@@ -322,16 +335,28 @@ void Foam::fv::liggghtsCoupling::addSup
 }
 
 
+Foam::label Foam::fv::liggghtsCoupling::applyToField(const word& fieldName) const
+{
+    const label fieldi = option::applyToField(fieldName);
+    const auto* field = mesh_.cfindObject<volVectorField>(fieldName);
+
+    if
+    (
+        fieldi < 0 && !applied_[0] && field && field->dimensions() == dimVelocity
+    )
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "U " << fluid_.UName() << ": the solver's momentum equation is for "
+            << fieldName << ", so the grains would never move. Set U to " << fieldName
+            << exit(FatalIOError);
+    }
+    return fieldi;
+}
+
+
 bool Foam::fv::liggghtsCoupling::read(const dictionary& dict)
 {
-    if (dict != dict_)
-    {
-        dict_ = dict;
-        WarningInFunction
-            << "The entries of " << name() << " in " << dict.name()
-            << " have changed. They are read at the start of a run: this one goes on"
-            << " as it began" << endl;
-    }
+    switchedOffCoupling::warnOfChange(*this, dict_, dict);
     return false;
 }
 

@@ -9,83 +9,58 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "liggghtsCoupling.H"
-#include "OSspecific.H"
+#include "turbulenceModel.H"
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fv::liggghtsCoupling::checkEntries() const
+bool Foam::fv::liggghtsCoupling::readSwitch
+(
+    const dictionary& dict,
+    const word& key,
+    const word& on,
+    const word& off
+)
 {
-    const wordHashSet own
-    ({
-        "script", "couplingInterval", "coupling", "voidFraction", "drag", "forces",
-        "interpolation", "formulation", "momentum", "turbulenceSources",
-        "ChenWoodCoeffs", "U", "p", "log"
-    });
-    const wordHashSet ofEveryOption({"type", "active", "libs"});
+    const word value(dict.lookupOrDefault<word>(key, on));
 
-    const auto check = [](const dictionary& dict, const wordHashSet& known)
+    if (value != on && value != off)
     {
-        for (const entry& e : dict)
-        {
-            if (!known.found(e.keyword()))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown entry " << e.keyword() << " in " << dict.dictName()
-                    << ". Valid: " << known.sortedToc() << exit(FatalIOError);
-            }
-        }
-    };
-
-    // Entries may lie in a sub-dictionary of the option's own name
-    if (&coeffs_ != &dict_ && dict_.found(type() + "Coeffs"))
-    {
-        check(coeffs_, own);
-        check(dict_, ofEveryOption | wordHashSet({type() + "Coeffs"}));
+        FatalIOErrorInFunction(dict)
+            << "Unknown " << key << ' ' << value << "\n\nValid: " << on << ", "
+            << off << exit(FatalIOError);
     }
-    else
-    {
-        check(coeffs_, own | ofEveryOption);
-    }
-    check(coeffs_.subOrEmptyDict("voidFraction"), {"model", "minimum"});
-    check(coeffs_.subOrEmptyDict("ChenWoodCoeffs"), {"B", "Ce", "C3"});
+    return value == on;
 }
 
 
-void Foam::fv::liggghtsCoupling::checkCase() const
+void Foam::fv::liggghtsCoupling::checkModel()
 {
-    const Time& time = mesh_.time();
-
-    const fileName path
-    (
-        script_.isAbsolute() ? script_ : time.globalPath()/script_
-    );
-    const bool found = returnReduce
-    (
-        !Pstream::master() || Foam::isFile(path, false),
-        andOp<bool>()
-    );
-    if (!found)
+    fluid_.checkViscosity(coeffs_);
+    if (turbulence_)
     {
-        FatalIOErrorInFunction(coeffs_)
-            << "script " << script_ << " not found: there is no file " << path
-            << exit(FatalIOError);
+        turbulence_->check(coeffs_, *fluid_.model());
     }
+    checkedModel_ = true;
+}
 
-    if (interval_ < 1)
-    {
-        FatalIOErrorInFunction(coeffs_)
-            << "couplingInterval " << interval_ << " is not positive: it is the"
-            << " number of DEM steps in a fluid step" << exit(FatalIOError);
-    }
 
-    if (time.controlDict().lookupOrDefault("adjustTimeStep", false))
+void Foam::fv::liggghtsCoupling::checkSources() const
+{
+    const bool firstStep = (timeIndex_ == mesh_.time().startTimeIndex());
+    for (label i = 1; i < applied_.size(); ++i)
     {
-        FatalIOErrorInFunction(time.controlDict())
-            << "adjustTimeStep yes cannot be used with " << typeName
-            << ": the fluid step is couplingInterval DEM steps. Set it to no"
-            << exit(FatalIOError);
+        if (!firstStep && !applied_[i])
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
+                << fluid_.model()->type() << " has not asked for the sources of "
+                << fieldNames_[i] << ", so they would have no effect. Set"
+                << " turbulenceSources to none, or change the model"
+                << exit(FatalIOError);
+        }
     }
 }
 
@@ -105,8 +80,11 @@ void Foam::fv::liggghtsCoupling::checkTimeStep() const
             << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
             << " s (system/controlDict), couplingInterval " << interval_
             << ", timestep " << dem << " s (" << script_ << "), product "
-            << interval_*dem << " s.\n    Set deltaT to " << interval_*dem
-            << " or couplingInterval to " << fluid/dem;
+            << interval_*dem << " s.\n    Set deltaT to " << interval_*dem;
+        if (std::round(fluid/dem) >= 1 && fluid/dem < labelMax)
+        {
+            message << " or couplingInterval to " << fluid/dem;
+        }
 
         FatalIOErrorInFunction(coeffs_)
             << message.str().c_str() << exit(FatalIOError);
@@ -130,6 +108,74 @@ void Foam::fv::liggghtsCoupling::checkOverlap() const
             << dem << " and the mesh " << mesh_.bounds()
             << " have no part in common. Both are in metres"
             << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::checkGrains() const
+{
+    // Far beyond any grain, and far from where products of such numbers overflow
+    const scalar smallRadius = 1e-12, largeRadius = 1e6;
+    const scalar smallMass = 1e-30, largeMass = 1e30;
+    const scalar largeSpeed = 1e9;
+
+    const liggghtsSession::grainArrays grains = session_->grains();
+    label odd = labelMax;
+    for (label i = 0; i < grains.n; ++i)
+    {
+        const scalar r = grains.radius[i];
+        const scalar m = grains.mass[i];
+        const double* v = grains.velocity[i];
+        const scalar speed = mag(v[0]) + mag(v[1]) + mag(v[2]);
+        if
+        (
+            !(r > smallRadius && r < largeRadius && m > smallMass && m < largeMass)
+         || !(speed < largeSpeed)
+        )
+        {
+            odd = min(odd, label(grains.id[i]));
+        }
+    }
+    reduce(odd, minOp<label>());
+
+    if (odd != labelMax)
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "script " << script_ << ": grain " << odd << " has a radius outside of "
+            << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
+            << " to " << largeMass << " kg, or a speed above " << largeSpeed
+            << " m/s. See its diameter, density and velocity" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fv::liggghtsCoupling::setGravity()
+{
+    double g[3];
+    const bool hasGravity = session_->gravity(g);
+    if (hasGravity)
+    {
+        const vector gravity(g[0], g[1], g[2]);
+        const scalar large = 1e9;
+        if (!(mag(gravity.x()) + mag(gravity.y()) + mag(gravity.z()) < large))
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "script " << script_ << ": fix gravity of " << gravity
+                << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+        }
+        fluid_.setGravity(gravity);
+    }
+    for (const grainForce& force : forces_)
+    {
+        bodyForce_ += force.bodyForce();
+        if (force.type() == "buoyancy" && !hasGravity)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "forces: buoyancy needs gravity, but " << script_
+                << " has no fix gravity. Add it there, for instance\n"
+                << "    fix g all gravity 9.81 vector 0 0 -1\n"
+                << "or take buoyancy out of the list" << exit(FatalIOError);
+        }
     }
 }
 

@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "liggghtsCoupling.H"
+#include "noFloatTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -295,7 +296,10 @@ void Foam::fv::liggghtsCoupling::advance()
     evaluateFluid(step);
 
     const scalar before = clock.elapsedTime();
-    session_->advance(interval_);
+    {
+        const noFloatTraps asInTheStockProgram;
+        session_->advance(interval_);
+    }
     // What the other ranks wait for the slowest is time of DEM, not of the coupling
     returnReduce(label(0), maxOp<label>());
     step.demSeconds = clock.elapsedTime() - before;

@@ -20,19 +20,173 @@ Description
 #include "error.h"
 #include "fix.h"
 #include "compute.h"
+#include "abstract_mesh.h"
+#include "fix_mesh.h"
 #include "input.h"
+#include "modify.h"
 
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
+// What the input parser knows of the line that it is at. Its members are open to classes that
+// inherit from it
+struct parser
+:
+    public LAMMPS_NS::Input
+{
+    // The line as it is read last: text of the script, or a command within `if`
+    static std::string text(LAMMPS_NS::Input* input)
+    {
+        const char* line = input->*(&parser::line);
+        return line ? line : "";
+    }
+
+    // The label that `jump` is looking for, or nothing
+    static std::string wantedLabel(LAMMPS_NS::Input* input)
+    {
+        return input->*(&parser::label_active) ? input->*(&parser::labelstr) : "";
+    }
+};
+
+
+// How many line ends an open file has before the place that is read next
+long linesRead(FILE* file)
+{
+    const long end = std::ftell(file);
+    long count = 0;
+    std::rewind(file);
+    for (long i = 0; i < end; ++i)
+    {
+        const int c = std::getc(file);
+        count += (c == '\n');
+        if (i == end - 1 && c != '\n')
+        {
+            ++count;    // the last line has no end
+        }
+    }
+    return count;
+}
+
+
+// The name of an open file, from the folder that LIGGGHTS works in
+std::string nameOf(FILE* file)
+{
+    char name[4096];
+    const std::string link("/proc/self/fd/" + std::to_string(fileno(file)));
+    const ssize_t n = readlink(link.c_str(), name, sizeof(name));
+    if (n <= 0 || n == ssize_t(sizeof(name)))
+    {
+        return "";
+    }
+    const std::string path(name, n);
+
+    const ssize_t nHere =
+        getcwd(name, sizeof(name)) ? ssize_t(std::strlen(name)) : 0;
+    return
+        nHere > 0 && path.compare(0, nHere, name) == 0 && path[nHere] == '/'
+      ? path.substr(nHere + 1) : path;
+}
+
+
+// Where in the script LIGGGHTS is, as lines of a message
+std::string place(LAMMPS_NS::Input* input, FILE* infile)
+{
+    using Foam::sessionPlace;
+
+    if (!sessionPlace::inScript)
+    {
+        return sessionPlace::script.empty()
+          ? "" : "\n    script " + sessionPlace::script + " (its lines have been read)";
+    }
+
+    // Only rank 0 has the file
+    std::string result("\n    script ");
+    const std::string name(infile ? nameOf(infile) : "");
+    result += name.empty() ? sessionPlace::script : name;
+    if (infile)
+    {
+        result += ", line " + std::to_string(linesRead(infile));
+    }
+
+    const std::string text(parser::text(input));
+    result += ": " + text;
+    const std::string label(parser::wantedLabel(input));
+    if (!label.empty())
+    {
+        result += "\n    label that jump looks for: " + label;
+    }
+    for (const char c : text)
+    {
+        if (static_cast<unsigned char>(c) >= 128)
+        {
+            result +=
+                "\n    This line holds characters that are not plain ASCII, which may be"
+                " invisible, such as a byte order mark or a fixed space";
+            break;
+        }
+    }
+    return result;
+}
+
+
+// The file that a fix mesh/surface was made of: LIGGGHTS keeps no name, but its log has the line
+std::string meshFile(const std::string& id)
+{
+    std::ifstream log(Foam::sessionPlace::log);
+    std::string line;
+    std::string file;
+    while (std::getline(log, line))
+    {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word != "fix" || !(words >> word) || word != id)
+        {
+            continue;
+        }
+        while (words >> word)
+        {
+            if (word == "file")
+            {
+                words >> file;
+            }
+        }
+    }
+    return file;
+}
+
+
+// All meshes of walls, for errors that LIGGGHTS finds after the script without saying in which
+std::string meshes(LAMMPS_NS::Modify* modify)
+{
+    std::string result;
+    for (int i = 0; i < modify->nfix; ++i)
+    {
+        auto* fix = dynamic_cast<LAMMPS_NS::FixMesh*>(modify->fix[i]);
+        if (fix && fix->mesh())
+        {
+            result +=
+                std::string("\n    fix ") + fix->id + ' ' + fix->style + ": "
+              + std::to_string(fix->mesh()->sizeLocal()) + " elements from "
+              + meshFile(fix->id);
+        }
+    }
+    return result;
+}
+
+
 // Both places a user may look at: the solver's log and LIGGGHTS' own
 [[noreturn]] void report
 (
+    LAMMPS_NS::LAMMPS* lmp,
     FILE* logfile,
     const std::string& message,
     const char* file,
@@ -47,9 +201,10 @@ namespace
 
     Foam::sessionError
     (
-        "LIGGGHTS stopped: " + message
-      + "\n    (" + file + ":" + std::to_string(line)
-      + "; the input up to there is in the log file of LIGGGHTS)"
+        "LIGGGHTS stopped: " + message + place(lmp->input, lmp->infile)
+      + (message.compare(0, 10, "Mesh error") ? "" : meshes(lmp->modify))
+      + "\n    log of LIGGGHTS " + Foam::sessionPlace::log
+      + ", source " + file + ":" + std::to_string(line)
     );
 }
 
@@ -80,27 +235,27 @@ namespace LAMMPS_NS
 
 void Error::universe_all(const char* file, int line, const char* text)
 {
-    report(logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::universe_one(const char* file, int line, const char* text)
 {
-    report(logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::all(const char* file, int line, const char* text)
 {
-    report(logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::one(const char* file, int line, const char* text)
 {
-    report(logfile, text, file, line);
+    report(lmp, logfile, text, file, line);
 }
 
 void Error::fix_error(const char* file, int line, Fix* fix, const char* text)
 {
-    report(logfile, styled("fix", fix->style, fix->id, text), file, line);
+    report(lmp, logfile, styled("fix", fix->style, fix->id, text), file, line);
 }
 
 void Error::fix_error
@@ -112,7 +267,7 @@ void Error::fix_error
     const char* text
 )
 {
-    report(logfile, styled("fix", style, fix->id, text), file, line);
+    report(lmp, logfile, styled("fix", style, fix->id, text), file, line);
 }
 
 void Error::compute_error
@@ -123,7 +278,17 @@ void Error::compute_error
     const char* text
 )
 {
-    report(logfile, styled("compute", compute->style, compute->id, text), file, line);
+    report(lmp, logfile, styled("compute", compute->style, compute->id, text), file, line);
+}
+
+// The command quit: the stock program ends here, but the fluid has not begun
+void Error::done()
+{
+    Foam::sessionError
+    (
+        "The script ended LIGGGHTS with the command quit, so that there are no grains to be"
+        " coupled. Remove it" + place(input, infile)
+    );
 }
 
 } // End namespace LAMMPS_NS

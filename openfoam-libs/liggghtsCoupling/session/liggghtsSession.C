@@ -25,6 +25,7 @@
 #include "modify.h"
 #include "update.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -84,6 +85,9 @@ void Foam::liggghtsSession::check() const
 {
     const std::string in = "Script " + script_ + ": ";
 
+    // What follows is set-up and steps, whose errors belong to no line of the script
+    sessionPlace::inScript = false;
+
     if (!lmp_->domain->box_exist)
     {
         sessionError(in + "no simulation box; add create_box or read_restart");
@@ -106,6 +110,14 @@ void Foam::liggghtsSession::check() const
         (
             in + "run_style " + lmp_->update->integrate_style
           + " cannot be coupled; use run_style verlet"
+        );
+    }
+    const double dt = lmp_->update->dt;
+    if (!(dt > 0) || !std::isfinite(dt))
+    {
+        sessionError
+        (
+            in + "timestep " + std::to_string(dt) + " is not a positive number of seconds"
         );
     }
 }
@@ -174,6 +186,7 @@ Foam::liggghtsSession::liggghtsSession
     insertedOffset_(0)
 {
     inFolder here(folder_);
+    sessionPlace::log = log;
 
     // A screen is needed (some commands print to it unasked), an open log is not
     // wanted in the solver's output
@@ -216,6 +229,8 @@ void Foam::liggghtsSession::start
 {
     inFolder here(folder_);
     script_ = script;
+    sessionPlace::script = script;
+    sessionPlace::inScript = true;
 
     const bool continued = !restart.empty();
     for

@@ -7,6 +7,7 @@
 #include "ChenWoodTurbulence.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
+#include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -31,13 +32,6 @@ Foam::ChenWoodTurbulence::ChenWoodTurbulence
     B_ = coeffs.lookupOrDefault<scalar>("B", 0.0825);
     Ce_ = coeffs.lookupOrDefault<scalar>("Ce", 0.165);
     C3_ = coeffs.lookupOrDefault<scalar>("C3", 1.2);
-
-    if (B_ < 0 || Ce_ <= 0 || C3_ < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "ChenWoodCoeffs: B " << B_ << ", Ce " << Ce_ << ", C3 " << C3_
-            << " must not be negative, and Ce not zero" << exit(FatalIOError);
-    }
 }
 
 
@@ -46,6 +40,46 @@ Foam::ChenWoodTurbulence::ChenWoodTurbulence
 Foam::wordList Foam::ChenWoodTurbulence::fields() const
 {
     return wordList({"k", "epsilon"});
+}
+
+
+void Foam::ChenWoodTurbulence::check
+(
+    const dictionary& dict,
+    const turbulenceModel& model
+) const
+{
+    // These have k and epsilon, but solve for them without sources of options
+    const wordHashSet deaf
+    ({
+        "LamBremhorstKE", "LienCubicKE", "LienLeschziner", "ShihQuadraticKE"
+    });
+
+    // A frozen model (RAS { turbulence off; }) solves for nothing
+    const bool frozen =
+        !model.subOrEmptyDict("RAS").lookupOrDefault<Switch>("turbulence", true);
+
+    word without;
+    for (const word& field : fields())
+    {
+        if (without.empty() && !mesh_.foundObject<volScalarField>(field))
+        {
+            without = field;
+        }
+    }
+
+    if (frozen || !without.empty() || deaf.found(model.type()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "turbulenceSources ChenWood needs a turbulence model with equations for k and"
+            << " epsilon, such as kEpsilon or jetKEpsilon, but this case has " << model.type()
+            << " (simulationType " << model.lookupOrDefault<word>("simulationType", "unknown")
+            << ')'
+            << (frozen ? " with turbulence off" : without.empty() ? " without sources" : "")
+            << (without.empty() ? "" : " without ") << without
+            << " in " << mesh_.time().constant() << '/' << model.name()
+            << ". Change that, or set turbulenceSources to none" << exit(FatalIOError);
+    }
 }
 
 

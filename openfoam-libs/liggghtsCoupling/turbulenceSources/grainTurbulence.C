@@ -40,6 +40,13 @@ Foam::autoPtr<Foam::grainTurbulence> Foam::grainTurbulence::New
             << exit(FatalIOError);
     }
 
+    if (dict.lookupOrDefault<word>("coupling", "twoWay") == "oneWay")
+    {
+        FatalIOErrorInFunction(dict)
+            << "turbulenceSources " << model << " needs coupling twoWay: with oneWay the fluid"
+            << " feels nothing of the grains" << exit(FatalIOError);
+    }
+
     return autoPtr<grainTurbulence>(cstrIter()(dict, mesh));
 }
 

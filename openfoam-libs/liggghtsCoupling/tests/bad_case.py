@@ -1,0 +1,63 @@
+"""What the tests of bad input to the coupling share: a box of a few cells that is spoilt again and again."""
+
+import pathlib
+import shutil
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import coupled_box as box
+import grainjet
+
+GRAIN = box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)])
+
+
+class BadCase(grainjet.Case):
+    """Each test gets a fresh copy of a small case, meshed and decomposed for 2 ranks."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.base = pathlib.Path(grainjet.tempfile.mkdtemp(prefix="grainjet-bad-"))
+        box.write(cls.base, walls=True, cells="2 2 4", steps=2, write_every=100)
+        box.script(cls.base, grains=GRAIN, boundary="f f f")
+        box.fv_options(cls.base)
+        for command in (["blockMesh"], ["decomposePar"]):
+            result = grainjet.run(command, cls.base)
+            if result.code:
+                raise AssertionError(result)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.base, ignore_errors=True)
+
+    def fresh(self):
+        """A fresh copy of the case; its folder."""
+        folder = self.folder / f"{len(list(self.folder.iterdir()))}"
+        shutil.copytree(self.base, folder)
+        return folder
+
+    def change(self, folder, path, *pairs):
+        """Replace texts in a file of the case; each must be there."""
+        file = folder / path
+        text = file.read_text()
+        for old, new in pairs:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        file.write_text(text)
+
+    def assertRefused(self, folder, *words, solver="pimpleFoam", ranks=0, steps=False):
+        """The run ends with exit code 1 and an error that holds all words; before its first
+        step, unless steps are allowed."""
+        result = self.foam(solver, folder, ranks, check=False, timeout=60)
+        if result.code != 1 or "FOAM FATAL" not in result.output:
+            self.fail(f"not refused: exit code {result.code}\n{result.output[-1500:]}")
+        message = result.output[result.output.index("FOAM FATAL"):]
+        for word in words:
+            self.assertIn(word, message)
+        if not steps:
+            self.assertNotIn("\nTime = ", result.output)
+        return result
+
+    def assertRuns(self, folder, solver="pimpleFoam", ranks=0):
+        result = self.foam(solver, folder, ranks, timeout=60)
+        self.assertIn("\nEnd", result.output)
+        return result

@@ -1,0 +1,195 @@
+"""Each entry of the coupling's dictionary spoilt in every way: one error that names the entry and
+constant/fvOptions, exit code 1, before the first step. New entries of the page are covered by themselves."""
+# processors: 2
+
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import bad_case
+import coupled_box as box
+import grainjet
+from bad_input import Entry, spoil, table_of_page
+
+PAGE = grainjet.ROOT / "docs/liggghtsCoupling.md"
+
+ENTRIES = {
+    "script": Entry("file", '"constant/in.particles"', required=True),
+    "couplingInterval": Entry("count", "10", required=True),
+    "coupling": Entry("choice", "twoWay"),
+    "voidFraction": Entry("dictionary", "{ model divided; minimum 0.3; }"),
+    "drag": Entry("choice", "Gidaspow"),
+    "forces": Entry("words", "(pressureGradient viscous)"),
+    "interpolation": Entry("choice", "cellPoint"),
+    "formulation": Entry("choice", "SetI"),
+    "momentum": Entry("choice", "implicit"),
+    "turbulenceSources": Entry("choice", "none"),
+    "U": Entry("name", "U"),
+    "p": Entry("name", "p"),
+    "log": Entry("output", "log.liggghts"),
+    "active": Entry("switch", "yes"),
+}
+
+VOID_FRACTION = {
+    "model": Entry("choice", "divided", required=True),
+    "minimum": Entry("fraction", "0.3"),
+}
+
+CHEN_WOOD = {
+    "B": Entry("nonNegative", "0.0825"),
+    "Ce": Entry("positive", "0.165"),
+    "C3": Entry("nonNegative", "1.2"),
+}
+
+KINDS = {
+    "dictionary": [("a word", "divided"), ("a number", "0.3"), ("a list", "(a b)")],
+    "words": [("another word", "(magic)"), ("a word for a list", "viscous"), ("a number", "3"),
+              ("a word twice", "(viscous viscous)"), ("a list in a list", "((viscous))")],
+}
+
+
+def text(lines):
+    return "".join(f"    {key} {value}{'' if value.startswith('{') else ';'}\n" for key, value in lines)
+
+
+class Entries(bad_case.BadCase):
+
+    def options(self, folder, body, name="particles"):
+        (folder / "constant/fvOptions").write_text(
+            box.HEADER.format("dictionary", "fvOptions")
+            + f"{name}\n{{\n    type liggghtsCoupling;\n{body}}}\n")
+
+    def spoilt(self, entries, within=None, ranks=0, only=None):
+        """Run all spoilt forms of a table (or those in `only`), which may lie in a sub-dictionary."""
+        folder = self.fresh()
+        for bad in spoil(entries, KINDS):
+            if only and bad.what not in only:
+                continue
+            lines = bad.replace(entries)
+            if within:
+                outer = [(k, e.good) for k, e in ENTRIES.items() if k != within]
+                lines = [*outer, (within, "{ " + text(lines).replace("\n", " ") + "}")]
+            self.options(folder, text(lines))
+            with self.subTest(entry=bad.entry, what=bad.what, ranks=ranks):
+                key = bad.lines[0][0] if bad.lines else bad.entry
+                if bad.must_fail:
+                    self.assertRefused(folder, "constant/fvOptions", key, ranks=ranks)
+                else:
+                    self.assertRuns(folder, ranks=ranks)
+
+    def test_every_entry_of_the_page_is_covered(self):
+        """And the other way round: the page has all that the test knows."""
+        self.assertEqual(sorted(table_of_page(PAGE.read_text(), "Entries")),
+                         sorted(ENTRIES))
+
+    def test_every_entry_of_the_library_is_covered(self):
+        """The words that it offers after a misspelt one are those of the tables here."""
+        folder = self.fresh()
+        outer = text((k, e.good) for k, e in ENTRIES.items() if k != "voidFraction")
+        for body, known in (
+                (outer + "    dragg Stokes;\n", {*ENTRIES, "type", "libs", "ChenWoodCoeffs"}),
+                (outer + "    voidFraction { modell divided; }\n", {*VOID_FRACTION}),
+                (outer + "    ChenWoodCoeffs { Bb 1; }\n", {*CHEN_WOOD})):
+            self.options(folder, body)
+            result = self.assertRefused(folder, "Unknown entry")
+            offered = result.output.split("Valid: ")[1].split("(")[1].split(")")[0].split()
+            self.assertEqual(set(offered), known)
+
+    def test_good_values(self):
+        folder = self.fresh()
+        for ranks in (0, 2):
+            self.options(folder, text((k, e.good) for k, e in ENTRIES.items()))
+            self.assertRuns(folder, ranks=ranks)
+
+    def test_every_entry(self):
+        self.spoilt(ENTRIES)
+
+    def test_every_entry_on_2_ranks(self):
+        self.spoilt(ENTRIES, ranks=2, only=("a word", "another word", "in a missing folder"))
+
+    def test_entries_of_the_void_fraction(self):
+        self.spoilt(VOID_FRACTION, "voidFraction")
+
+    def test_coefficients_of_chen_and_wood(self):
+        """Read although the model is not: entries are checked whether or not they are used."""
+        self.spoilt(CHEN_WOOD, "ChenWoodCoeffs")
+
+    def test_entries_within_coeffs_of_the_type(self):
+        """OpenFOAM lets the entries lie one level deeper."""
+        folder = self.fresh()
+        body = "liggghtsCouplingCoeffs\n{\n" + text((k, e.good) for k, e in ENTRIES.items() if k != "active")
+        self.options(folder, body + "}\n")
+        self.assertRuns(folder)
+        self.options(folder, body + "    drag WenYu;\n}\n")
+        self.assertRefused(folder, "constant/fvOptions", "drag", "twice", "line")
+        self.options(folder, body + "    dragg WenYu;\n}\n")
+        self.assertRefused(folder, "constant/fvOptions", "Unknown entry dragg")
+
+    def test_included_defaults_may_be_replaced(self):
+        """An #include and an entry after it that replaces one of its values is not a repetition."""
+        folder = self.fresh()
+        good = [(k, e.good) for k, e in ENTRIES.items()]
+        (folder / "constant/defaults").write_text(text(good))
+        self.options(folder, '    #include "defaults"\n    drag WenYu;\n')
+        self.assertRuns(folder)
+
+    # two of them
+
+    def test_two_couplings(self):
+        good = text((k, e.good) for k, e in ENTRIES.items())
+        for second in (good, good.replace("active yes", "active no")):
+            for ranks in (0, 2):
+                folder = self.fresh()
+                self.options(folder, good)
+                with (folder / "constant/fvOptions").open("a") as file:
+                    file.write("second\n{\n    type liggghtsCoupling;\n" + second + "}\n")
+                self.assertRefused(folder, "constant/fvOptions", "particles and second", ranks=ranks)
+
+    def test_two_of_the_same_name(self):
+        folder = self.fresh()
+        good = text((k, e.good) for k, e in ENTRIES.items())
+        self.options(folder, good)
+        with (folder / "constant/fvOptions").open("a") as file:
+            file.write("particles\n{\n    type liggghtsCoupling;\n" + good + "}\n")
+        self.assertRefused(folder, "constant/fvOptions", "particles", "twice")
+
+    def test_other_options_are_left_alone(self):
+        """An option of another type that repeats an entry is OpenFOAM's business."""
+        folder = self.fresh()
+        self.options(folder, text((k, e.good) for k, e in ENTRIES.items()))
+        with (folder / "constant/fvOptions").open("a") as file:
+            file.write("""other { type vectorSemiImplicitSource; active no; selectionMode all; active no;
+                volumeMode specific; injectionRateSuSp { U ((0 0 0) 0); } }\n""")
+        self.assertRuns(folder)
+
+    # switched off
+
+    def test_switched_off_starts_nothing(self):
+        """Without script or log, and in a case that could not be coupled."""
+        folder = self.fresh()
+        good = dict((k, e.good) for k, e in ENTRIES.items())
+        self.options(folder, text({**good, "active": "no"}.items()))
+        (folder / "constant/in.particles").unlink()
+        self.change(folder, "constant/transportProperties", ("rho [1 -3 0 0 0 0 0] 1.2;", ""))
+        result = self.assertRuns(folder)
+        self.assertIn("active no", result.output)
+        self.assertFalse((folder / "log.liggghts").exists())
+        self.assertFalse((folder / "postProcessing").exists())
+
+    # two files
+
+    def test_both_places_of_options(self):
+        """OpenFOAM reads constant/fvOptions only; the user is told once."""
+        folder = self.fresh()
+        system = folder / "system/fvOptions"
+        system.write_text((folder / "constant/fvOptions").read_text())
+        for ranks in (0, 2):
+            result = self.assertRuns(folder, ranks=ranks)
+            self.assertEqual(result.output.count("system/fvOptions\" is never read"), 1, result)
+        (folder / "constant/fvOptions").unlink()
+        self.assertNotIn("never read", self.assertRuns(folder).output)
+
+
+if __name__ == "__main__":
+    unittest.main()
