@@ -10,6 +10,7 @@
    wrapper script, its shell is passed over.                                    */
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -26,7 +27,10 @@ __attribute__((constructor)) void leave_ld_preload()
   Dl_info info;
   if (!variable || !dladdr(reinterpret_cast<void *>(&leave_ld_preload), &info)) return;
 
-  const std::string self = info.dli_fname;
+  // the launcher's descriptor for a file that LD_PRELOAD cannot name
+  const std::string self = info.dli_fname, opened = "/proc/self/fd/";
+  if (self.compare(0, opened.size(), opened) == 0) fcntl(atoi(self.c_str() + opened.size()), F_SETFD, FD_CLOEXEC);
+
   const std::string list = variable;
   std::string rest;
   for (size_t begin = 0; begin < list.size();) {
