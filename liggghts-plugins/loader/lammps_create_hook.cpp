@@ -22,6 +22,8 @@
 #include <liggghts/lammps.h>
 #include <liggghts/error.h>
 
+#include <stdio.h>
+
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -57,6 +59,10 @@ void LAMMPS::create()
   if (host != LIGGGHTSPLUGIN_HOST)
     error->all(FLERR, ("The plugin loader was built for " LIGGGHTSPLUGIN_HOST ", but this is " + host +
       ". Build Grainjet again for this LIGGGHTS").c_str());
+
+  // An error of one rank ends all of them at once, and with them what waits in the buffer of a
+  // screen that goes to a file or a pipe: the message
+  if (screen) setvbuf(screen, NULL, _IOLBF, 0);
 
   static const Create create_host =
     reinterpret_cast<Create>(grainjet::host_function("_ZN9LAMMPS_NS6LAMMPS6createEv"));
