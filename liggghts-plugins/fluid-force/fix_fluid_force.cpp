@@ -240,7 +240,7 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
   const double *fluids = coupled_ ? fluidVelocity_->array_atom[0] : NULL;
   const double *explicits = coupled_ ? explicitForce_->array_atom[0] : NULL;
   double *coefficient = dragCoefficient_->vector_atom;
-  double total = 0.0;
+  bool wrong = false;
 
   for (int i = 0; i < nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -271,12 +271,12 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
       const double force =
         given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
       f[dim] += force;
-      total += force;
+      wrong |= !(std::fabs(force) <= LARGEST_FORCE);    // also if it is no number
       if (book) impulse[dim] += half * (applied[dim] + force);
       applied[dim] = force;
     }
   }
-  if (!std::isfinite(total)) refuse_force();
+  if (wrong) refuse_force();
   if (fluidTorque_) rotational_drag(kick, remove);
 }
 

@@ -99,6 +99,8 @@ class FixFluidForce : public Fix {
   void sum();
   void refuse_force();
 
+  static constexpr double LARGEST_FORCE = 1e30;    // N, on a grain
+
   static void clear_lost(FluidForceExchange *);
 };
 

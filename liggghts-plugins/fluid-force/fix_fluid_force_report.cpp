@@ -19,15 +19,18 @@
 using namespace LAMMPS_NS;
 
 /* ----------------------------------------------------------------------
-   A force that is no number or infinite would be with all grains within some contacts.
-   Ranks do not wait for each other here, so the one that has it ends the run.
+   A force that is no number would be with all grains within some contacts, and a grain that
+   an absurd one throws out of the box would be gone without a word. Ranks do not wait for
+   each other here, so the one that has it ends the run.
 ------------------------------------------------------------------------- */
 
 void FixFluidForce::refuse_force()
 {
   for (int i = 0; i < atom->nlocal; i++) {
     const double *force = fluidForce_->array_atom[i], *v = atom->v[i];
-    if (!(atom->mask[i] & groupbit) || std::isfinite(force[0] + force[1] + force[2])) continue;
+    if (!(atom->mask[i] & groupbit) ||
+      (std::fabs(force[0]) <= LARGEST_FORCE && std::fabs(force[1]) <= LARGEST_FORCE
+        && std::fabs(force[2]) <= LARGEST_FORCE)) continue;
     const double *fluid = fluid_velocity(i);
     char text[512];
     snprintf(text, sizeof(text), "Fix fluid/force (ID %s): the force on grain %d is (%g %g %g) N in step "
