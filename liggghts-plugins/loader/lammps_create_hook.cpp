@@ -60,8 +60,7 @@ void LAMMPS::create()
     error->all(FLERR, ("The plugin loader was built for " LIGGGHTSPLUGIN_HOST ", but this is " + host +
       ". Build Grainjet again for this LIGGGHTS").c_str());
 
-  // An error of one rank ends all of them at once, and with them what waits in the buffer of a
-  // screen that goes to a file or a pipe: the message
+  // as in preload_once.cpp, for another screen than the launcher's and other programs
   if (screen) setvbuf(screen, NULL, _IOLBF, 0);
 
   static const Create create_host =

@@ -126,6 +126,8 @@ class Messages(LoaderCase):
         """LIGGGHTS ends all ranks at once then, with its screen's buffer unwritten."""
         result = self.liggghts("variable x equal 1\nread_restart nosuchfile\n", check=False)
         self.assertFails(result, "Cannot open restart file nosuchfile")
+        result = grainjet.run(["liggghts-plugins", "-in", "in.missing"], self.folder)
+        self.assertFails(result, "Cannot open input script in.missing")
 
 
 if __name__ == "__main__":
