@@ -85,7 +85,7 @@ void CoarseGrainingCommand::command(int narg, char **arg)
     char *end = nullptr;
     factors.push_back(strtod(arg[next], &end));
     if (end == arg[next] || *end != '\0' || !(factors[next] >= 1.0 && factors[next] <= LARGEST))
-      fail(std::string("needs factors from 1 to 1e6, not '") + arg[next] + "'; the only keyword is model_check");
+      fail(std::string("needs factors >= 1 and at most 1e6, not '") + arg[next] + "'; the only keyword is model_check");
   }
   if (factors.empty()) fail("needs a factor, or one factor per atom type");
 
@@ -125,7 +125,7 @@ void CoarseGrainingCommand::settle_number()
     for (int type = 2; type <= atom->ntypes; ++type) force->setCG(double(factors[0]));
   else if (given > 1 && given != static_cast<size_t>(atom->ntypes))
     fail("states " + std::to_string(given) + " factors, but the box has " + std::to_string(atom->ntypes)
-      + " atom types; state one factor for all grains, or as many as there are types");
+      + " atom types; state one factor for all grains, or as many as there are atom types");
 }
 
 /* ----------------------------------------------------------------------
