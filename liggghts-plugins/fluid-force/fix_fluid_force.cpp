@@ -7,6 +7,7 @@
 #include "fix_fluid_force.h"
 
 #include "host/fix_arguments.h"
+#include "host/grainjet_version.h"
 #include "physics/drag/exponential_drag.h"
 
 #include "atom.h"
@@ -239,6 +240,7 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
   const double *fluids = coupled_ ? fluidVelocity_->array_atom[0] : NULL;
   const double *explicits = coupled_ ? explicitForce_->array_atom[0] : NULL;
   double *coefficient = dragCoefficient_->vector_atom;
+  bool wrong = false;
 
   for (int i = 0; i < nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -269,10 +271,12 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
       const double force =
         given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
       f[dim] += force;
+      wrong |= !(std::fabs(force) <= LARGEST_FORCE);    // also if it is no number
       if (book) impulse[dim] += half * (applied[dim] + force);
       applied[dim] = force;
     }
   }
+  if (wrong) refuse_force();
   if (fluidTorque_) rotational_drag(kick, remove);
 }
 
@@ -352,37 +356,9 @@ void FixFluidForce::clear_lost(FluidForceExchange *door)
 void *FixFluidForce::extract(const char *what, int &dim)
 {
   dim = 0;
+  if (strcmp(what, "fluid_force_version") == 0) return const_cast<char *>(GRAINJET_VERSION);
   if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
   doorOpen_ = true;
   refresh_exchange();
   return &exchange_;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixFluidForce::compute_vector(int n)
-{
-  if (sumStep_ != update->ntimestep) sum();
-  if (n < 3) return sums_[n];
-  return sums_[4] > 0.0 ? sums_[3] / sums_[4] : 0.0;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixFluidForce::sum()
-{
-  double mine[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    for (int dim = 0; dim < 3; dim++) mine[dim] += fluidForce_->array_atom[i][dim];
-    if (dragCoefficient_->vector_atom[i] <= 0.0) continue;
-    const double *fluid = fluid_velocity(i);
-    double square = 0.0;
-    for (int dim = 0; dim < 3; dim++)
-      square += (fluid[dim] - atom->v[i][dim]) * (fluid[dim] - atom->v[i][dim]);
-    mine[3] += std::sqrt(square);
-    mine[4] += 1.0;
-  }
-  MPI_Allreduce(mine, sums_, 5, MPI_DOUBLE, MPI_SUM, world);
-  sumStep_ = update->ntimestep;
 }

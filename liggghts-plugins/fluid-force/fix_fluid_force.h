@@ -63,6 +63,7 @@ class FixFluidForce : public Fix {
   double compute_vector(int);
 
   // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
+  // "fluid_force_version": const char *, the version of Grainjet that layout belongs to
   void *extract(const char *, int &);
 
  private:
@@ -96,6 +97,9 @@ class FixFluidForce : public Fix {
   const double *fluid_velocity(int) const;
   void rotational_drag(double kick, bool remove);
   void sum();
+  void refuse_force();
+
+  static constexpr double LARGEST_FORCE = 1e30;    // N, on a grain
 
   static void clear_lost(FluidForceExchange *);
 };

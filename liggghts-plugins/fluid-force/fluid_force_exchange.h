@@ -15,8 +15,14 @@
        auto *door = static_cast<FluidForceExchange *>(
            fix->extract("fluid_force_exchange", dim));
 
-   before every access: the arrays may have moved since (LIGGGHTS grows and
-   sorts them during a run). Index = local atom index, 0 <= i < atom->nlocal.
+   before every access, and once at first whether both are of one Grainjet, since the layout
+   below belongs to its version:
+
+       auto *version = static_cast<const char *>(fix->extract("fluid_force_version", dim));
+
+   gives GRAINJET_VERSION of the plugin (host/grainjet_version.h); NULL: it is older than
+   these versions. The arrays may have moved since (LIGGGHTS grows and sorts them
+   during a run). Index = local atom index, 0 <= i < atom->nlocal.
    All values are of the whole GRAIN in SI units and travel with it between ranks
    and through restart files.                                                */
 

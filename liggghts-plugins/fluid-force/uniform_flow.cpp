@@ -26,6 +26,11 @@ using grainjet::drag::ExponentialDrag;
 using grainjet::drag::NamedLaw;
 using grainjet::drag::State;
 
+// Far beyond every fluid, so that only slips of the pen are refused: the speed of light (m/s),
+// and twelve decades either side of 1 for density and viscosity
+static const double FASTEST = 299792458.0;
+static const double WIDEST = 1e12;
+
 /* ---------------------------------------------------------------------- */
 
 UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
@@ -33,19 +38,17 @@ UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
   buoyancy_(false), rotation_(false), gravity_(NULL)
 {
   for (double &component : velocity_)
-    component = arguments.number("the fluid velocity ux uy uz after 'uniform'");
+    component = arguments.number("the fluid velocity ux uy uz after 'uniform'", -FASTEST, FASTEST);
 
   std::string law = "gidaspow";
   while (arguments.more()) {
-    const std::string keyword = arguments.word("keyword");
-    if (keyword == "density") density_ = arguments.positive("density");
-    else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity");
+    const std::string keyword =
+      arguments.keyword({"density", "viscosity", "drag", "buoyancy", "rotation"});
+    if (keyword == "density") density_ = arguments.positive("density", 1.0 / WIDEST, WIDEST);
+    else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity", 1.0 / WIDEST, WIDEST);
     else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
     else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
-    else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
-    else
-      arguments.fail("unknown keyword '" + keyword
-        + "'; valid keywords are density, viscosity, drag, buoyancy, rotation");
+    else rotation_ = arguments.yesNo("rotation");
   }
   if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
   if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");

@@ -9,9 +9,12 @@
 
 #include "error.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace grainjet {
 
@@ -34,36 +37,60 @@ class FixArguments {
     return arg_[next_++];
   }
 
-  double number(const std::string &what)
+  // The next word, which has to be one of the keywords, each of which may come once.
+  std::string keyword(const std::vector<std::string> &valid)
+  {
+    const std::string text = word("keyword");
+    if (std::find(valid.begin(), valid.end(), text) == valid.end()) {
+      std::string list;
+      for (const std::string &name : valid) list += (list.empty() ? "" : ", ") + name;
+      fail("unknown keyword '" + text + "'; valid keywords are " + list);
+    }
+    if (std::find(given_.begin(), given_.end(), text) != given_.end())
+      fail("keyword " + text + " is given twice; state it once");
+    given_.push_back(text);
+    return text;
+  }
+
+  // A number between the limits. The widest ones leave room for products of some numbers
+  // before they overflow and make forces that are no numbers.
+  double number(const std::string &what, double least = -LARGEST, double most = LARGEST)
   {
     const std::string text = word(what);
     char *end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value))
+    if (text.empty() || *end != '\0' || std::isnan(value))
       fail("'" + text + "' is not a number; expected " + what);
+    if (!(value >= least && value <= most))
+      fail(what + " must be a number from " + print(least) + " to " + print(most) + ", not " + text);
     return value;
   }
 
-  double positive(const std::string &what)
+  double positive(const std::string &what, double least = 1.0 / LARGEST, double most = LARGEST)
   {
-    const double value = number(what);
+    const double value = number(what, -HUGE_VAL, HUGE_VAL);
     if (!(value > 0.0)) fail(what + " must be > 0, not " + arg_[next_ - 1]);
+    if (!(value >= least && value <= most))
+      fail(what + " must be from " + print(least) + " to " + print(most) + ", not " + arg_[next_ - 1]);
     return value;
   }
 
-  double nonNegative(const std::string &what)
+  double nonNegative(const std::string &what, double most = LARGEST)
   {
-    const double value = number(what);
+    const double value = number(what, -HUGE_VAL, HUGE_VAL);
     if (!(value >= 0.0)) fail(what + " must be >= 0, not " + arg_[next_ - 1]);
+    if (!(value <= most)) fail(what + " must be at most " + print(most) + ", not " + arg_[next_ - 1]);
     return value;
   }
 
-  // a whole number >= 1
-  int count(const std::string &what)
+  // a whole number >= 1; `most` keeps a slip of the pen from taking all memory or time
+  int count(const std::string &what, int most = 1000000000)
   {
-    const double value = number(what);
-    if (value < 1.0 || value > 1e9 || value != std::floor(value))
+    const double value = number(what, -HUGE_VAL, HUGE_VAL);
+    if (!(value >= 1.0) || value != std::floor(value))
       fail(what + " must be a whole number >= 1, not " + arg_[next_ - 1]);
+    if (!(value <= most))
+      fail(what + " must be at most " + std::to_string(most) + ", not " + arg_[next_ - 1]);
     return static_cast<int>(value);
   }
 
@@ -85,10 +112,20 @@ class FixArguments {
 
  private:
 
+  static constexpr double LARGEST = 1e30;
+
   LAMMPS_NS::Error *error_;
   int narg_;
   char **arg_;
   int next_;
+  std::vector<std::string> given_;
+
+  static std::string print(double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%g", value);
+    return text;
+  }
 };
 
 }

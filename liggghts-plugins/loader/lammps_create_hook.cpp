@@ -13,16 +13,16 @@
    library that depends on libliggghts. It runs the host's own function and then
    enters the command and the styles loaded so far.                             */
 
+#include "loader/host_function.h"
 #include "loader/plugin_command.h"
+#include "loader/plugin_file.h"
 #include "loader/plugin_loader.h"
 #include "loader/style_maps.h"
 
 #include <liggghts/lammps.h>
 #include <liggghts/error.h>
 
-#include <dlfcn.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <string>
 
@@ -32,28 +32,20 @@ namespace {
 
 typedef void (*Create)(LAMMPS *);
 
-const char *const CREATE = "_ZN9LAMMPS_NS6LAMMPS6createEv";
-
-// a function of the host that nobody interposes, to find the host's file by
-const char *const LANDMARK = "_ZN9LAMMPS_NS6LAMMPS11post_createEv";
-
-/* The host's own create(). Usually it is the next one in the search order. If this
-   file is preloaded and LIGGGHTS comes later by dlopen (as in OpenFOAM), the next one
-   is not visible from here, and the host's file is asked for it.               */
-
-Create host_create()
+// A loader that is here already (preloaded and part of a coupling library) does it all,
+// but the coupling relies on what its own version of it refuses
+void check_other_loader(LAMMPS *lmp)
 {
-  if (void *next = dlsym(RTLD_NEXT, CREATE)) return reinterpret_cast<Create>(next);
+  using namespace grainjet;
+  const std::string file = style_maps::file(lmp, plugin_command);
+  const std::string version = plugin_file::version(file);
+  if (version == GRAINJET_VERSION) return;
 
-  Dl_info info;
-  void *landmark = dlsym(RTLD_DEFAULT, LANDMARK);
-  if (landmark && dladdr(landmark, &info))
-    if (void *host = dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD))
-      if (void *create = dlsym(host, CREATE)) return reinterpret_cast<Create>(create);
-
-  fprintf(stderr, "ERROR: the plugin loader cannot find the LIGGGHTS library it was loaded into. "
-          "Start LIGGGHTS with liggghts-plugins, without setting LD_PRELOAD yourself\n");
-  abort();
+  const std::string why = "Two plugin loaders are in this process: " + file + " of " +
+    (version.empty() ? std::string("an earlier Grainjet (it states no version)") : "Grainjet " + version) +
+    " and " + plugin_file::loader() + " of Grainjet " GRAINJET_VERSION ". Build all of Grainjet again "
+    "with ./Allwmake, and let LD_PRELOAD and LD_LIBRARY_PATH name one build only";
+  lmp->error->all(FLERR, why.c_str());
 }
 
 }
@@ -68,12 +60,16 @@ void LAMMPS::create()
     error->all(FLERR, ("The plugin loader was built for " LIGGGHTSPLUGIN_HOST ", but this is " + host +
       ". Build Grainjet again for this LIGGGHTS").c_str());
 
-  static const Create create_host = host_create();
+  // as in preload_once.cpp, for another screen than the launcher's and other programs
+  if (screen) setvbuf(screen, NULL, _IOLBF, 0);
+
+  static const Create create_host =
+    reinterpret_cast<Create>(grainjet::host_function("_ZN9LAMMPS_NS6LAMMPS6createEv"));
   create_host(this);
 
-  // a loader that is here already (preloaded and part of a coupling library) does it all
   using grainjet::style_maps::Entry;
-  if (grainjet::style_maps::find(this, grainjet::plugin_command) == Entry::OTHER) return;
+  if (grainjet::style_maps::find(this, grainjet::plugin_command) == Entry::OTHER)
+    return check_other_loader(this);
 
   grainjet::style_maps::enter(this, grainjet::plugin_command);
   grainjet::PluginLoader::instance().restore(this);

@@ -7,6 +7,8 @@
 #ifndef GRAINJET_LIGGGHTSPLUGIN_H
 #define GRAINJET_LIGGGHTSPLUGIN_H
 
+#include "host/grainjet_version.h"
+
 /* What a plugin file tells the `plugin` command of LIGGGHTS.
 
    A plugin is a shared library with one entry point, `liggghtsplugin_init`,
@@ -35,8 +37,15 @@ struct liggghtsplugin_description {
   const liggghtsplugin_style *styles;
 };
 
-// the one symbol that a plugin file exports
+// the entry point that a plugin file exports
 const liggghtsplugin_description *liggghtsplugin_init();
+
+// Version of Grainjet that a plugin, loader or coupling library was compiled with. Every
+// library that includes this header exports it, so nothing has to be written for it. It is
+// looked at before the entry point is called: another version may describe styles otherwise.
+// Within a library use GRAINJET_VERSION; this name may stand for another library's there.
+extern const char liggghtsplugin_grainjet[] __attribute__((weak, visibility("default")));
+const char liggghtsplugin_grainjet[] = GRAINJET_VERSION;
 
 typedef const liggghtsplugin_description *(*liggghtsplugin_initfunc)();
 

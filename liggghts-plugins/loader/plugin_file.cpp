@@ -6,6 +6,7 @@
 
 #include "loader/plugin_file.h"
 
+#include "loader/library_file.h"
 #include "loader/style_maps.h"
 
 #include <liggghts/lammps.h>
@@ -13,6 +14,7 @@
 #include <liggghts/error.h>
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -51,12 +53,9 @@ bool is_file(const std::string &path)
   return stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode);
 }
 
-// folder of the library this very function lies in
 std::string loader_folder()
 {
-  Dl_info info;
-  if (!dladdr(reinterpret_cast<void *>(&loader_folder), &info) || !info.dli_fname) return "";
-  const std::string file = absolute(info.dli_fname);
+  const std::string file = grainjet::plugin_file::loader();
   return file.substr(0, file.rfind('/'));
 }
 
@@ -93,38 +92,80 @@ std::string search(const std::string &name, std::string &why)
   return "";
 }
 
+// The name under which the linker takes the file. In a name with a slash it replaces $LIB
+// and the like, also where they are part of a folder's name; then the file is opened here and
+// stays so, since the linker remembers names.
+std::string linker_name(const std::string &path)
+{
+  if (path.find('$') == std::string::npos) return path;
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  return file < 0 ? path : "/proc/self/fd/" + std::to_string(file);
+}
+
+std::string linker_words()
+{
+  const char *reason = dlerror();
+  return reason ? reason : "no reason given";
+}
+
+// version of Grainjet that an opened library carries, empty if none
+std::string stamp(void *file)
+{
+  const void *text = dlsym(file, "liggghtsplugin_grainjet");
+  return text ? static_cast<const char *>(text) : "";
+}
+
+// why an opened library is not to be used here, empty if it is
+std::string refusal(void *file, const std::string &host)
+{
+  const auto init = reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"));
+  const std::string grainjet = stamp(file);
+  if (init && grainjet != GRAINJET_VERSION)
+    return " was built with " + (grainjet.empty() ? "an earlier Grainjet (it states no version)" : "Grainjet " + grainjet) +
+      ", but this is Grainjet " GRAINJET_VERSION ". Build it again with this one: ./Allwmake in Grainjet's folder "
+      "for its own plugins";
+
+  const liggghtsplugin_description *description = init ? init() : NULL;
+  if (!description || !description->host)
+    return " is a library but not a LIGGGHTS plugin (it has no working entry point "
+      "liggghtsplugin_init). Is this the file you meant?";
+  if (host != description->host)
+    return std::string(" was built for ") + description->host + ", but this is " + host +
+      ". Build it again for this LIGGGHTS";
+  return "";
+}
+
 // description of the plugin, or NULL and why it was refused
 const liggghtsplugin_description *examine(const std::string &path, const std::string &host, std::string &why)
 {
+  // the linker maps what a file claims to hold, and the program dies where it does not
+  why = grainjet::library_file::damage(path);
+  if (!why.empty()) {
+    why = "'" + path + "' is damaged: " + why + ". Build it or copy it again";
+    return NULL;
+  }
+
   // lazily at first: a plugin for another host may need functions that are missing
   // here, and its stamp explains that better than the name of a symbol
-  void *file = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  const std::string name = linker_name(path);
+  void *file = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!file) {
-    const char *reason = dlerror();
-    why = "'" + path + "' cannot be loaded: " + (reason ? reason : "no reason given") +
+    why = "'" + path + "' cannot be loaded: " + linker_words() +
       ". It must be a plugin library compiled on this kind of machine for this LIGGGHTS, "
       "and the libraries it needs must be found through LD_LIBRARY_PATH";
     return NULL;
   }
 
-  const auto init = reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"));
-  const liggghtsplugin_description *description = init ? init() : NULL;
-  if (!description || !description->host) {
-    why = "'" + path + "' is a library but not a LIGGGHTS plugin (it has no working entry point "
-      "liggghtsplugin_init). Is this the file you meant?";
-  } else if (host != description->host) {
-    why = "'" + path + "' was built for " + description->host + ", but this is " + host +
-      ". Build it again for this LIGGGHTS";
-  } else {
-    dlclose(file);
-    file = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (file) return reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"))();
-    const char *reason = dlerror();
-    why = "'" + path + "' does not fit this LIGGGHTS: " + (reason ? reason : "no reason given") +
-      ". Build it again for this LIGGGHTS";
+  why = refusal(file, host);
+  dlclose(file);
+  if (!why.empty()) {
+    why = "'" + path + "'" + why;
     return NULL;
   }
-  dlclose(file);
+
+  file = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (file) return reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"))();
+  why = "'" + path + "' does not fit this LIGGGHTS: " + linker_words() + ". Build it again for this LIGGGHTS";
   return NULL;
 }
 
@@ -174,4 +215,21 @@ const liggghtsplugin_description *grainjet::plugin_file::open(LAMMPS *lmp, const
   const liggghtsplugin_description *description = examine(path, style_maps::host(lmp), why);
   agree(lmp, why);
   return description;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::plugin_file::version(const std::string &path)
+{
+  void *file = dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  return file ? stamp(file) : "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::plugin_file::loader()
+{
+  Dl_info info;
+  if (!dladdr(reinterpret_cast<void *>(&loader_folder), &info) || !info.dli_fname) return "";
+  return absolute(info.dli_fname);
 }

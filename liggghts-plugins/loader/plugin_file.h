@@ -29,10 +29,18 @@ namespace plugin_file {
   std::string find(LAMMPS_NS::LAMMPS *, const std::string &name);
 
   // Open the file and ask it for its styles. Refused are files that are no shared
-  // library, that lack the entry point, or that were built for another host.
+  // library or are cut short, that lack the entry point, or that were built with another
+  // Grainjet or for another host.
   // The file stays mapped to the end of the process, since fixes made by it may
   // outlive its entry in the style tables.
   const liggghtsplugin_description *open(LAMMPS_NS::LAMMPS *, const std::string &path);
+
+  // version of Grainjet that a library which is loaded already was built with; empty if
+  // it states none
+  std::string version(const std::string &path);
+
+  // the library that this loader is a part of
+  std::string loader();
 
 }
 }

@@ -7,9 +7,11 @@
 /* Only in the library for the stock program, which the launcher preloads: takes this
    library out of LD_PRELOAD as soon as LIGGGHTS is started, so that programs started by
    LIGGGHTS (`shell`, gzip for dumps, daemons of MPI) run without it. If `liggghts` is a
-   wrapper script, its shell is passed over.                                    */
+   wrapper script, its shell is passed over. Also lets no message be lost in a pipe.   */
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -22,11 +24,18 @@ __attribute__((constructor)) void leave_ld_preload()
   // a function of the host; its library is in place before constructors run
   if (!dlsym(RTLD_DEFAULT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv")) return;
 
+  // An error of one rank ends all of them at once, and with them what waits in the buffer of a
+  // screen that goes to a file or a pipe: the message
+  setvbuf(stdout, NULL, _IOLBF, 0);
+
   const char *variable = getenv("LD_PRELOAD");
   Dl_info info;
   if (!variable || !dladdr(reinterpret_cast<void *>(&leave_ld_preload), &info)) return;
 
-  const std::string self = info.dli_fname;
+  // the launcher's descriptor for a file that LD_PRELOAD cannot name
+  const std::string self = info.dli_fname, opened = "/proc/self/fd/";
+  if (self.compare(0, opened.size(), opened) == 0) fcntl(atoi(self.c_str() + opened.size()), F_SETFD, FD_CLOEXEC);
+
   const std::string list = variable;
   std::string rest;
   for (size_t begin = 0; begin < list.size();) {

@@ -14,6 +14,8 @@
 #include <liggghts/modify.h>
 #include <liggghts/universe.h>
 
+#include <dlfcn.h>
+
 #include <cstring>
 #include <map>
 
@@ -53,6 +55,14 @@ std::map<std::string, CommandCreator> &commands(LAMMPS *lmp)
 bool is(const liggghtsplugin_style &style, const char *kind)
 {
   return style.kind && strcmp(style.kind, kind) == 0;
+}
+
+template <class Map> std::string file_of(const Map &map, const liggghtsplugin_style &style)
+{
+  const auto found = map.find(style.name);
+  Dl_info info;
+  if (found == map.end() || !dladdr(reinterpret_cast<void *>(found->second), &info)) return "";
+  return info.dli_fname;
 }
 
 template <class Map> grainjet::style_maps::Entry compare(const Map &map, const liggghtsplugin_style &style)
@@ -102,6 +112,13 @@ std::string grainjet::style_maps::user(LAMMPS *lmp, const liggghtsplugin_style &
   for (int i = 0; i < lmp->modify->nfix; i++)
     if (strcmp(lmp->modify->fix[i]->style, style.name) == 0) return lmp->modify->fix[i]->id;
   return "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::style_maps::file(LAMMPS *lmp, const liggghtsplugin_style &style)
+{
+  return is(style, "fix") ? file_of(fixes(lmp), style) : file_of(commands(lmp), style);
 }
 
 /* ----------------------------------------------------------------------

@@ -38,6 +38,9 @@ namespace style_maps {
   // (commands end at once and so are never in use)
   std::string user(LAMMPS_NS::LAMMPS *, const liggghtsplugin_style &);
 
+  // library file whose creator stands under the name now, empty if it is in no file
+  std::string file(LAMMPS_NS::LAMMPS *, const liggghtsplugin_style &);
+
   // version the running LIGGGHTS states about itself, as in LIGGGHTSPLUGIN_HOST
   std::string host(LAMMPS_NS::LAMMPS *);
 

@@ -3,6 +3,8 @@
 
 import unittest
 
+import bad_input
+import grainjet
 from loadercase import BOX, COUNT, USE, LoaderCase, counts
 
 
@@ -82,6 +84,25 @@ class PluginCommand(LoaderCase):
     def test_clear_without_plugins(self):
         for result in self.each("plugin clear\nplugin list\n"):
             self.assertIn("No plugins are loaded", result.output)
+
+    def test_each_word_of_the_page_spoilt(self):
+        """A word of the page that this table lacks fails; one with the host's own message is Unknown command."""
+        entries = {"load": bad_input.Entry("file", "exampleplugin.so"), "list": bad_input.Entry("none", ""),
+                   "clear": bad_input.Entry("none", "")}
+        page = (grainjet.ROOT / "docs/loader.md").read_text()
+        words = [name.split()[0] for name in bad_input.table_of_page(page, "Commands")]
+        self.assertEqual([word for word in words if word in entries], list(entries))
+        self.plugin()
+        for word, entry in entries.items():
+            lines = [f"plugin {bad_input.misspelt(word)} {entry.good}", f"plugin {word} {entry.good} {entry.good or 'x'}",
+                     f"plugin {word.upper()} {entry.good}", f'plugin "{word} {entry.good}"']
+            lines += [f"plugin {word} {text}" for _, text, _ in bad_input.values(entry.kind)] if entry.good else []
+            for line in lines:
+                with self.subTest(line):
+                    result = self.liggghts(line + "\n", check=False)
+                    self.assertEqual(result.code, 1, result)
+                    self.assertEqual(result.output.count("ERROR"), 1, result)
+                    self.assertRegex(result.output, "Illegal plugin command|plugin load: there is no file")
 
     def test_illegal_words(self):
         for line in ("plugin", "plugin load", "plugin load a.so b.so", "plugin list all",

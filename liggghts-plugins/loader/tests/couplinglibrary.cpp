@@ -9,8 +9,10 @@
 #include "loader/lammps_create_hook.cpp"
 #include "loader/plugin_command.cpp"
 #include "loader/plugin_file.cpp"
+#include "loader/library_file.cpp"
 #include "loader/plugin_loader.cpp"
 #include "loader/style_maps.cpp"
+#include "loader/script_start.cpp"
 
 extern "C" void run_script(char *file)
 {

@@ -7,6 +7,7 @@
 #include "liggghtsSession.H"
 #include "sessionError.H"
 #include "fluid-force/fluid_force_exchange.h"
+#include "host/grainjet_version.h"
 
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wnon-virtual-dtor"
@@ -123,6 +124,28 @@ void Foam::liggghtsSession::check() const
 }
 
 
+void Foam::liggghtsSession::checkVersion() const
+{
+    // The layout of the exchange belongs to a version. The loader looks at plugins, but the
+    // one in this process may be older, and the fix may be compiled into LIGGGHTS.
+    int dim = 0;
+    const void* stated = fluidForce_->extract("fluid_force_version", dim);
+    const std::string version =
+        stated ? static_cast<const char*>(stated) : "earlier than versions are stated";
+
+    if (version != GRAINJET_VERSION)
+    {
+        sessionError
+        (
+            "Script " + script_ + ": its fix fluid/force comes from Grainjet " + version
+          + ", but this coupling is of Grainjet " GRAINJET_VERSION
+            ". Build all of Grainjet again with ./Allwmake, and let plugin load and"
+            " LIGGGHTS_PLUGIN_PATH find the plugins of this build"
+        );
+    }
+}
+
+
 void Foam::liggghtsSession::findFixes()
 {
     for (int i = 0; i < lmp_->modify->nfix; ++i)
@@ -141,6 +164,7 @@ void Foam::liggghtsSession::findFixes()
         )
         {
             fluidForce_ = fix;
+            checkVersion();
         }
     }
     if (!fluidForce_)

@@ -1,0 +1,15 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_VERSION_H
+#define GRAINJET_VERSION_H
+
+/* The version of Grainjet, with which plugins, loader and coupling are stamped: parts of two
+   versions hand each other data of different layout and refuse each other. Both builds read
+   it here; CMake compares it with the version of its project.                          */
+#define GRAINJET_VERSION "0.1.0"
+
+#endif
