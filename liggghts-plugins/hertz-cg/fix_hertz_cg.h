@@ -135,7 +135,7 @@ class FixHertzCg : public Fix {
   std::string failure_;    // what went wrong on this rank, to be told by all
 
   void parse(int, char **);
-  bool parse_law(grainjet::FixArguments &, const std::string &keyword);
+  void parse_law(grainjet::FixArguments &, const std::string &keyword);
   void stand_in();
   void remove_stand_in();
   void check_host();

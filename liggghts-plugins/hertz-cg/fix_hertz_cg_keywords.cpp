@@ -37,11 +37,9 @@ bool on(grainjet::FixArguments &in, const std::string &keyword)
 
 }
 
-/* ----------------------------------------------------------------------
-   words of the law; false: it is none of them
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-bool FixHertzCg::parse_law(grainjet::FixArguments &in, const std::string &keyword)
+void FixHertzCg::parse_law(grainjet::FixArguments &in, const std::string &keyword)
 {
   if (keyword == "model") choice(in, keyword, {"hertz"});
   else if (keyword == "surface") choice(in, keyword, {"default"});
@@ -58,10 +56,6 @@ bool FixHertzCg::parse_law(grainjet::FixArguments &in, const std::string &keywor
   else if (keyword == "limitForce") law_.limitForce = on(in, keyword);
   else if (keyword == "tangential_damping") law_.tangentialDamping = on(in, keyword);
   else if (keyword == "tangential_reduce") law_.tangentialReduce = on(in, keyword);
-  else if (keyword == "viscous")
-    in.fail("viscous belongs to `model hooke` of the stock pair style; for hertz take it out");
-  else return false;
-  return true;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -71,24 +65,22 @@ void FixHertzCg::parse(int narg, char **arg)
   grainjet::FixArguments in(error, narg, arg);
   std::vector<std::string> given;
   while (in.more()) {
-    std::string keyword = in.word("keyword");
-    const std::string name = keyword == "rolling_friction" ? "rolling" : keyword;
-    if (std::find(given.begin(), given.end(), name) != given.end())
-      in.fail("keyword '" + keyword + "' is given twice");
-    given.push_back(name);
-    if (parse_law(in, keyword)) continue;
+    const std::string keyword = in.keyword({"model", "surface", "tangential", "rolling", "rolling_friction", "torsionTorque",
+      "limitForce", "tangential_damping", "cohesion", "tangential_reduce", "timestep_check", "overlap_check"});
+    given.push_back(keyword);
     if (keyword == "timestep_check") {
       nevery = in.count("number of steps after 'timestep_check'");
-      timestep_fraction_ = in.positive("fraction after 'timestep_check'");
+      timestep_fraction_ = in.positive("fraction after 'timestep_check'", 1e-12, 1e12);
       timestep_error_ = choice(in, "timestep_check N fraction", {"warn", "error"}) == 1;
     } else if (keyword == "overlap_check") {
-      overlap_fraction_ = in.positive("fraction after 'overlap_check'");
+      overlap_fraction_ = in.positive("fraction after 'overlap_check'", 1e-12, 1e12);
     } else {
-      in.fail("unknown keyword '" + keyword + "'; known are model, tangential, rolling, torsionTorque, limitForce, "
-              "tangential_damping, cohesion, tangential_reduce, surface, timestep_check, overlap_check");
+      parse_law(in, keyword);
     }
   }
   const auto stated = [&](const char *keyword) { return std::find(given.begin(), given.end(), keyword) != given.end(); };
+  if (stated("rolling") && stated("rolling_friction"))
+    in.fail("rolling and rolling_friction are the same keyword; state one of them");
   if (stated("model") && !stated("tangential"))
     in.fail("needs `tangential` after `model hertz`: left out it means off in pair_style gran, and history here");
   if (law_.torsion && law_.rolling == Rolling::OFF)
