@@ -10,26 +10,9 @@ import time
 import unittest
 
 import grainjet
-from plate_case import D, PLATE, PlateCase, hertz
-
-MESH = """
-    fix disc all mesh/surface file disc.stl type 1
-    fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes disc store_force yes
-"""
-
+from plate_case import D, MESH, PLATE, PlateCase, hertz
 
 class Tracking(PlateCase):
-
-    def disc(self, radius=0.006, sectors=24):
-        """An STL disc around the origin, normal along z, cut like a cake."""
-        corner = [(radius * math.cos(2 * math.pi * i / sectors),
-                   radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors + 1)]
-        text = "solid disc\n"
-        for p, q in zip(corner, corner[1:]):
-            text += "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
-            text += f"vertex {p[0]:.9e} {p[1]:.9e} 0\nvertex {q[0]:.9e} {q[1]:.9e} 0\n"
-            text += "endloop\nendfacet\n"
-        (self.folder / "disc.stl").write_text(text + "endsolid disc\n")
 
     def test_mesh_plate_equals_primitive_plate(self):
         """A disc of triangles gives the statistics of the plane: grains in the middle of
