@@ -59,8 +59,8 @@ static double length(FixArguments &arguments, const std::string &what)
 
 FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  every_(1000), start_(0.0), observed_(false),
-  warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0),
+  every_(1000), start_(0.0), observed_(false), anew_(false),
+  unknown_(false), warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0),
   started_(false), left_(false)
 {
   parse(narg, arg);
@@ -196,6 +196,8 @@ void FixPlateStats::setup(int)
   tracker_->start_run();
   surface_->update();
   if (!observed_) tracker_->skip_present(wall_->forces());
+  if (anew_) begun_ = touching();    // what goes on from before the restart and counts
+  anew_ = false;
   observed_ = started_ = true;
 }
 

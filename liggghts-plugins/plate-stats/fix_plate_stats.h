@@ -95,6 +95,8 @@ class FixPlateStats : public Fix {
   grainjet::CollisionStore store_;
   std::unique_ptr<CollisionTracker> tracker_;
   bool observed_;           // grains in contact from before have been marked
+  bool anew_;               // after a restart statistics begin anew
+  bool unknown_;            // and the restart file's collisions are those of another plate
   bool warned_;             // whether the plate lies on the wall is settled
   double clock_;            // s, time of the simulation, also across restarts, where LIGGGHTS'
                             // own starts anew; < 0: not yet set

@@ -22,7 +22,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <unistd.h>
 
 using namespace LAMMPS_NS;
 using grainjet::EventsFile;
@@ -96,8 +96,9 @@ std::string FixPlateStats::check_files() const
   }
 
   for (const std::string &path : own) {
-    const std::string fault =
-      OutputFile::check_open(path, path == eventsPath_ && events_ ? events_->file() : NULL);
+    std::string fault = started_ ? "" : OutputFile::check_kind(path);
+    if (fault.empty())
+      fault = OutputFile::check_open(path, path == eventsPath_ && events_ ? events_->file() : NULL);
     if (!fault.empty()) return fault;
   }
   std::string fault = check_dumps();
@@ -134,17 +135,14 @@ std::string FixPlateStats::open_events()
 {
   events_.reset(new EventsFile(eventsPath_));
   if (restartedEvents_ < 0) return events_->create();
-  FILE *file = fopen(eventsPath_.c_str(), "r");
-  if (file) fclose(file);
-  else if (errno == ENOENT && eventsPath_ == restartedPath_) {
+  const bool missing = access(eventsPath_.c_str(), F_OK) != 0 && errno == ENOENT;
+  if (missing && eventsPath_ == restartedPath_) {
     char lost[100];
     snprintf(lost, sizeof(lost), "%.0f bytes, written until t = %.9g s", restartedEvents_, clock_);
     return "events file '" + eventsPath_ + "' of the run before the restart (" + lost
       + ") is missing; bring it here, or give another path for the events from now on";
-  } else if (errno == ENOENT) {
-    return events_->create();
   }
-  return events_->resume(restartedEvents_);
+  return missing ? events_->create() : events_->resume(restartedEvents_);
 }
 
 /* ----------------------------------------------------------------------
@@ -254,7 +252,7 @@ void FixPlateStats::restart(char *buf)
   if (list[1] != FORMAT)
     fail("the restart file was written by another version of Grainjet; go on with that, or give "
       "this fix another ID");
-  const bool anew = start_ != list[2];
+  anew_ = start_ != list[2];
   const double *geometry = list + 6, *next = geometry + GEOMETRY;
   const std::string wall = unpack_text(next), path = unpack_text(next);
 
@@ -262,13 +260,14 @@ void FixPlateStats::restart(char *buf)
   observed_ = true;
   const std::string difference = other_plate(geometry, wall);
   if (!difference.empty()) {
-    if (!anew)
+    if (!anew_)
       fail("the restart file holds statistics of " + difference + "; use that, or another fix ID");
+    unknown_ = true;
     begin_ = std::max(clock_, start_);
     return;
   }
   next += surface_->unpack(next);
-  if (anew) {
+  if (anew_) {
     begin_ = std::max(clock_, start_);
     return;
   }

@@ -104,9 +104,9 @@ std::string WallSurface::attach()
   drawings_.resize(meshes_.size());
   nodeVelocity_.assign(n, NULL);
 
-  std::string fault = continue_drawings();
-  for (std::size_t m = 0; fault.empty() && m < meshes_.size(); m++) fault = draw(m);
+  const std::string fault = check_restarted();
   if (!fault.empty()) return fault;
+  for (std::size_t m = 0; m < meshes_.size(); m++) draw(m);
   attached_ = true;
   restarted_.clear();
   update();
@@ -118,7 +118,7 @@ std::string WallSurface::attach()
    name or kind is read anew and lies where it was at first.
 ------------------------------------------------------------------------- */
 
-std::string WallSurface::continue_drawings()
+std::string WallSurface::check_restarted() const
 {
   for (std::size_t r = 0; r < restarted_.size(); r++) {
     const Drawing &drawing = restarted_[r];
@@ -134,11 +134,8 @@ std::string WallSurface::continue_drawings()
 
 /* ---------------------------------------------------------------------- */
 
-std::string WallSurface::draw(int m)
+void WallSurface::draw(int m)
 {
-  if (mesh(m)->isDeforming())
-    return std::string("mesh '") + meshes_[m]->id + "' of wall '" + wallID_
-      + "' deforms; a plate must be rigid";
   const double *frame = drawn_;
   for (const Drawing &drawing : restarted_)
     if (drawing.meshID == meshes_[m]->id) frame = drawing.frame;
@@ -157,7 +154,6 @@ std::string WallSurface::draw(int m)
         name.c_str(), "comm_none", frames[axis], "restart_no");
     mesh(m)->prop().setGlobalProperty<MeshVector>(name.c_str(), start);
   }
-  return "";
 }
 
 /* ----------------------------------------------------------------------

@@ -100,8 +100,8 @@ class WallSurface : protected Pointers {
 
   class TriMesh *mesh(int) const;
   std::string property(int axis) const;
-  std::string continue_drawings();
-  std::string draw(int);
+  std::string check_restarted() const;
+  void draw(int);
   bool nearest(int i, int m, int id, double &gap, double *velocity) const;
   void shear(int i, double *velocity) const;
   const double *image(int plate, const double *x, double *copy) const;

@@ -1,7 +1,9 @@
 """Grains thrown at plates, for the tests of fix plate/stats."""
 
+import concurrent.futures
 import csv
 import math
+import shutil
 
 import grainjet
 
@@ -86,6 +88,20 @@ class PlateCase(grainjet.Case):
             text += f"vertex {p[0]:.9e} {p[1]:.9e} {height!r}\nvertex {q[0]:.9e} {q[1]:.9e} {height!r}\n"
             text += "endloop\nendfacet\n"
         (self.folder / name).write_text(text + "endsolid disc\n")
+
+    def side_by_side(self, scripts):
+        """Results of short scripts, each in a folder of its own: most of their time is MPI's start."""
+        def one(item):
+            folder = self.folder / str(item[0])
+            folder.mkdir()
+            for file in self.folder.glob("*.data"):
+                shutil.copy(file, folder)
+            (folder / "in.test").write_text(item[1])
+            result = grainjet.run(["liggghts-plugins", "-in", "in.test"], folder)
+            result.folder = folder
+            return result
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            return list(pool.map(one, enumerate(scripts)))
 
     def table(self, name="plate.csv"):
         """The statistics by region, numbers as floats."""
