@@ -77,6 +77,7 @@ void CollisionTracker::skip_present(double **forces)
 bool CollisionTracker::comes_near(int i) const
 {
   for (int plate = 0; plate < surface_.plates(); plate++) {
+    if (!surface_.bears(plate)) continue;
     const double margin = surface_.carried(plate) ? 2 * neighbor->skin : neighbor->skin;
     if (std::fabs(surface_.height(plate, atom->x[i])) < atom->radius[i] + margin) return true;
   }

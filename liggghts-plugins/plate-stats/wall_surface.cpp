@@ -6,56 +6,22 @@
 
 #include "wall_surface.h"
 
-#include "host/expose_member.h"
+#include "triangle.h"
+#include "wall_shear.h"
 
 #include "atom.h"
 #include "domain.h"
 #include "fix_contact_history_mesh.h"
 #include "fix_wall_gran.h"
 #include "modify.h"
-#include "primitive_wall.h"
 #include "tri_mesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using grainjet::PlateGeometry;
-
-namespace grainjet {
-
-struct ShearFlag {
-  using type = int FixWallGran::*;
-  friend type member(ShearFlag);
-};
-
-struct ShearDim {
-  using type = int FixWallGran::*;
-  friend type member(ShearDim);
-};
-
-struct ShearAxis {
-  using type = int FixWallGran::*;
-  friend type member(ShearAxis);
-};
-
-struct ShearSpeed {
-  using type = double FixWallGran::*;
-  friend type member(ShearSpeed);
-};
-
-struct ShearVector {
-  using type = double (FixWallGran::*)[3];
-  friend type member(ShearVector);
-};
-
-}
-
-template struct grainjet::Expose<grainjet::ShearFlag, &FixWallGran::shear_>;
-template struct grainjet::Expose<grainjet::ShearDim, &FixWallGran::shearDim_>;
-template struct grainjet::Expose<grainjet::ShearAxis, &FixWallGran::shearAxis_>;
-template struct grainjet::Expose<grainjet::ShearSpeed, &FixWallGran::vshear_>;
-template struct grainjet::Expose<grainjet::ShearVector, &FixWallGran::shearAxisVec_>;
 
 // a vector of the mesh as a whole, as the reference points of fix move/mesh are
 typedef VectorContainer<double, 3> MeshVector;
@@ -65,7 +31,7 @@ typedef VectorContainer<double, 3> MeshVector;
 WallSurface::WallSurface(LAMMPS *lmp, const std::string &wallID, const std::string &fixID,
   const PlateGeometry &plate) :
   Pointers(lmp), wallID_(wallID), prefix_("plate_" + fixID), plate_(plate), wall_(NULL),
-  moves_(false), plates_(1, plate), carried_(1, 0), attached_(false)
+  moves_(false), plates_(1, plate), carried_(1, 0), bears_(1, 1), attached_(false)
 {
   for (int dim = 0; dim < 3; dim++) {
     drawn_[dim] = plate.centre()[dim];
@@ -101,15 +67,23 @@ std::string WallSurface::attach()
   const std::size_t n = std::max<std::size_t>(meshes_.size(), 1);
   plates_.assign(n, plate_);
   carried_.assign(n, 0);
-  drawings_.resize(meshes_.size());
+  bears_.assign(n, 1);
   nodeVelocity_.assign(n, NULL);
 
   const std::string fault = check_restarted();
   if (!fault.empty()) return fault;
-  for (std::size_t m = 0; m < meshes_.size(); m++) draw(m);
+  const std::vector<Drawing> before = drawings_;
+  drawings_.resize(meshes_.size());
+  for (std::size_t m = 0; m < meshes_.size(); m++) {
+    drawings_[m].level = -1.0;
+    for (const Drawing &known : before)
+      if (known.meshID == meshes_[m]->id) drawings_[m].level = known.level;
+    draw(m);
+  }
   attached_ = true;
   restarted_.clear();
   update();
+  choose_bearers();
   return "";
 }
 
@@ -136,10 +110,14 @@ std::string WallSurface::check_restarted() const
 
 void WallSurface::draw(int m)
 {
+  drawings_[m].meshID = meshes_[m]->id;
   const double *frame = drawn_;
   for (const Drawing &drawing : restarted_)
-    if (drawing.meshID == meshes_[m]->id) frame = drawing.frame;
-  drawings_[m].meshID = meshes_[m]->id;
+    if (drawing.meshID == meshes_[m]->id) {
+      frame = drawing.frame;
+      drawings_[m].level = drawing.level;
+    }
+  if (drawings_[m].level < 0.0) drawings_[m].level = level(m);
   // the centre is a point, the others are directions
   static const char *const frames[] =
     {"frame_general", "frame_scale_trans_invariant", "frame_scale_trans_invariant"};
@@ -154,6 +132,48 @@ void WallSurface::draw(int m)
         name.c_str(), "comm_none", frames[axis], "restart_no");
     mesh(m)->prop().setGlobalProperty<MeshVector>(name.c_str(), start);
   }
+}
+
+/* ----------------------------------------------------------------------
+   Height of the point of the mesh that is nearest to the centre; none if that is not in
+   the plate. Before its first run each rank has the whole mesh, later its part.
+------------------------------------------------------------------------- */
+
+double WallSurface::level(int m) const
+{
+  double best = std::numeric_limits<double>::max(), mine = best, distance = best;
+  for (int i = 0; i < mesh(m)->sizeLocal(); i++) {
+    double corner[3][3], point[3], ab[2];
+    for (int node = 0; node < 3; node++) mesh(m)->node(i, node, corner[node]);
+    const double square = grainjet::nearestOnTriangle(corner, plate_.centre(), point);
+    if (square >= distance) continue;
+    distance = square;
+    plate_.project(point, ab);
+    mine = plate_.ring(ab) < 0 ? best : std::fabs(plate_.height(point));
+  }
+  double nearest;
+  MPI_Allreduce(&distance, &nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (distance > nearest) mine = best;
+  MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE, MPI_MIN, world);
+  return best;
+}
+
+/* ----------------------------------------------------------------------
+   Meshes at rest are one body, each of the others is one. Meshes that lie in the plate's
+   plane do so to the digits of their files.
+------------------------------------------------------------------------- */
+
+void WallSurface::choose_bearers()
+{
+  if (meshes_.empty()) return;
+  const double margin = 1e-4 * plate_.radius();
+  double best = std::numeric_limits<double>::max(), rest = best;
+  for (std::size_t m = 0; m < meshes_.size(); m++) {
+    best = std::min(best, drawings_[m].level);
+    if (!carried_[m]) rest = std::min(rest, drawings_[m].level);
+  }
+  for (std::size_t m = 0; m < meshes_.size(); m++)
+    bears_[m] = (carried_[m] ? drawings_[m].level : rest) - best <= margin;
 }
 
 /* ----------------------------------------------------------------------
@@ -180,7 +200,7 @@ void WallSurface::release()
 
 void WallSurface::update()
 {
-  moves_ = meshes_.empty() && wall_->*member(grainjet::ShearFlag());
+  moves_ = meshes_.empty() && wall_shears(wall_);
   for (std::size_t m = 0; m < meshes_.size(); m++) {
     CustomValueTracker &properties = mesh(m)->prop();
     double *frame = drawings_[m].frame;
@@ -243,12 +263,13 @@ bool WallSurface::touch(int i, Touch &touched) const
   touched = Touch{0, -1, {0.0, 0.0, 0.0}};
   if (!moves_) return true;
   if (meshes_.empty()) {
-    shear(i, touched.velocity);
+    wall_shear(wall_, atom->x[i], touched.velocity);
     return true;
   }
   bool found = false;
   double deepest = 0.0;
   for (std::size_t m = 0; m < meshes_.size(); m++) {
+    if (!bears_[m]) continue;
     const FixContactHistoryMesh *contacts = meshes_[m]->contactHistory();
     for (int n = 0; n < contacts->nneighs(i); n++) {
       const int id = contacts->get_partner_idTri(i, n);
@@ -271,7 +292,7 @@ bool WallSurface::velocity(int i, Touch &touched) const
   std::fill_n(touched.velocity, 3, 0.0);
   if (!moves_) return true;
   if (meshes_.empty()) {
-    shear(i, touched.velocity);
+    wall_shear(wall_, atom->x[i], touched.velocity);
     return true;
   }
   double gap;
@@ -305,19 +326,6 @@ bool WallSurface::nearest(int i, int m, int id, double &gap, double *velocity) c
   return found;
 }
 
-/* ----------------------------------------------------------------------
-   as FixWallGran::post_force_primitive gives it to the law
-------------------------------------------------------------------------- */
-
-void WallSurface::shear(int i, double *velocity) const
-{
-  velocity[wall_->*member(grainjet::ShearDim())] = wall_->*member(grainjet::ShearSpeed());
-  if (wall_->*member(grainjet::ShearAxis()) < 0) return;
-  double radial[3];
-  wall_->primitiveWall()->calcRadialDistance(atom->x[i], radial);
-  vectorCross3D(wall_->*member(grainjet::ShearVector()), radial, velocity);
-}
-
 /* ---------------------------------------------------------------------- */
 
 std::vector<double> WallSurface::pack() const
@@ -326,6 +334,7 @@ std::vector<double> WallSurface::pack() const
   for (const Drawing &drawing : drawings_) {
     list.push_back(drawing.meshID.size());
     list.insert(list.end(), drawing.meshID.begin(), drawing.meshID.end());
+    list.push_back(drawing.level);
     list.insert(list.end(), drawing.frame, drawing.frame + FRAME);
   }
   return list;
@@ -341,6 +350,7 @@ int WallSurface::unpack(const double *list)
     const int length = static_cast<int>(*next++);
     drawing.meshID.assign(next, next + length);
     next += length;
+    drawing.level = *next++;
     std::copy_n(next, FRAME, drawing.frame);
     next += FRAME;
   }

@@ -21,7 +21,9 @@ namespace LAMMPS_NS {
    At its definition the plate is drawn on every mesh of the wall, and from then on each mesh
    takes its drawing along. A grain is on the plate of the mesh that it touches. Centre,
    normal and first axis are properties of the mesh, which LIGGGHTS moves and rotates with
-   the nodes, whatever moves these, and which are the same on all ranks.
+   the nodes, whatever moves these, and which are the same on all ranks. Of meshes that move
+   differently only those bear the plate that lay nearest to its plane then: what lies
+   under a thin workpiece does not.
 
    The velocity at a contact is the one that the wall's law uses: of the nodes of the
    triangle, for surface_vel and surface_ang_vel as well; of `shear` for a primitive wall.
@@ -53,6 +55,7 @@ class WallSurface : protected Pointers {
 
   // plates are as many as meshes, or one
   int plates() const { return moves_ ? static_cast<int>(plates_.size()) : 1; }
+  bool bears(int plate) const { return bears_[plate]; }
   const double *normal(int plate) const { return plates_[plate].normal(); }
   double height(int plate, const double *x) const;
   void project(int plate, const double *x, double *ab) const;
@@ -78,6 +81,7 @@ class WallSurface : protected Pointers {
 
   struct Drawing {
     std::string meshID;
+    double level;            // m, from the plate's plane to the mesh in its middle, when drawn
     double frame[FRAME];
   };
 
@@ -92,7 +96,7 @@ class WallSurface : protected Pointers {
   // per mesh
   std::vector<grainjet::PlateGeometry> plates_;
   std::vector<Drawing> drawings_;
-  std::vector<char> carried_;
+  std::vector<char> carried_, bears_;
   std::vector<double ***> nodeVelocity_;    // [element][node][3], NULL: at rest
 
   bool attached_;                      // this fix has drawn its plate on the meshes
@@ -102,8 +106,9 @@ class WallSurface : protected Pointers {
   std::string property(int axis) const;
   std::string check_restarted() const;
   void draw(int);
+  double level(int) const;
+  void choose_bearers();
   bool nearest(int i, int m, int id, double &gap, double *velocity) const;
-  void shear(int i, double *velocity) const;
   const double *image(int plate, const double *x, double *copy) const;
 };
 

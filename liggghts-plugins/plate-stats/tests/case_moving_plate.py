@@ -149,6 +149,17 @@ class MovingPlate(PlateCase):
             relative = (v[0] + turn * event["y"], v[1] - turn * event["x"], v[2])
             self.assertAlmostEqual(event["speed_before"], math.sqrt(dot(relative, relative)), delta=1e-4)
 
+    def test_shearing_cylinder(self):
+        """Along its axis and around it, the latter as an angular velocity."""
+        reach = 0.009
+        wall = f"fix w all wall/gran model hertz tangential history primitive type 1 zcylinder {reach} 0 0 " \
+               "shear {} store_force yes"
+        plate = PLATE.replace("centre 0 0 0 normal 0 0 1", f"centre {reach} 0 0.005 normal 1 0 0")
+        for shear, speed in (("z 3", 3.0), ("x 300", 300 * reach), ("y 300", 300 * reach)):
+            event, = self.hit([(reach - R - 1e-4, 0, 0.005, 2.0, 0, 0)], wall=wall.format(shear), plate=plate)
+            # the law takes the distance of the grain's centre from the axis for the wall's: R/reach less
+            self.assertAlmostEqual(event["speed_before"], math.hypot(2, speed), delta=speed * R / reach)
+
     def test_two_movers_on_one_mesh(self):
         """A spinning disc that is carried sideways: the movers' velocities add up."""
         turn, wind = 500.0, 4.0
@@ -184,6 +195,42 @@ class MovingPlate(PlateCase):
             self.assertAlmostEqual(piece["x"], 0.0005, delta=2e-6)
             self.assertAlmostEqual(table["speed_before"], 2, delta=1e-9)
             self.assertEqual(table["angle"], 0)
+
+    def test_a_thin_workpiece(self):
+        """Thinner than a grain: what hits the table where the plate was is not on the plate. A workpiece
+        of two meshes that move alike is one plate."""
+        thin = R / 2
+        for name, half in (("left.stl", -1), ("right.stl", 1)):
+            corners = ((0, -0.002), (0, 0.002), (half * 0.002, 0))
+            (self.folder / name).write_text("solid s\nfacet normal 0 0 1\nouter loop\n" + "".join(
+                f"vertex {x} {y} {thin!r}\n" for x, y in corners) + "endloop\nendfacet\nendsolid s\n")
+        wall = """
+            fix disc all mesh/surface file disc.stl type 1
+            fix left all mesh/surface file left.stl type 1
+            fix right all mesh/surface file right.stl type 1
+            fix w all wall/gran model hertz tangential history mesh n_meshes 3 meshes disc left right store_force yes
+        """
+        wind = 12.0
+        plate = PLATE.replace("centre 0 0 0", f"centre -0.0003 0 {thin!r}").replace("0.005", "0.002")
+        move = "\n".join(f"fix mv{m} all move/mesh mesh {m} linear {wind} 0 0" for m in ("left", "right"))
+        grains = [(-0.0005 + wind * 3e-5, 0, thin + R + 6e-5, 0, 0, -2.0),      # left half
+                  (0.0006 + wind * 4e-5, 0, thin + R + 8e-5, 0, 0, -2.0),       # right half
+                  (-0.0003, 0, R + 2.0 * 5e-4, 0, 0, -2.0)]                     # table, workpiece gone
+        for ranks in (0, 2):
+            events = self.hit(grains, move, wall=wall, plate=plate, steps=6000, ranks=ranks)
+            self.assertEqual([e["id"] for e in events], [1, 2])
+            for event, place in zip(events, (-0.0002, 0.0009)):
+                self.assertAlmostEqual(event["speed_before"], math.hypot(2, wind), delta=1e-5)
+                self.assertAlmostEqual(event["x"], place, delta=3e-6)
+
+    def test_servo(self):
+        """A mesh that LIGGGHTS' servo moves: full speed until it is loaded, upwards here."""
+        wall = MESH.replace("mesh/surface file", "mesh/surface/stress/servo file").replace(
+            "type 1\n", "type 1 com 0 0 0 ctrlPV force axis 0 0 1 target_val 1e-3 vel_max 0.5 kp 5\n", 1)
+        for event in self.hit(GRAINS, wall=wall):
+            v = GRAINS[int(event["id"]) - 1][3:]
+            self.assertAlmostEqual(event["speed_before"], math.hypot(v[0], v[1], v[2] - 0.5), delta=1e-6)
+        self.assertEqual(self.table()["all"]["collisions"], 3)
 
     def test_ranks(self):
         """A plate that passes from one rank to the next, and at first lies on one only: the same
