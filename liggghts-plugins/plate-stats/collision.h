@@ -19,15 +19,17 @@ struct Collision {
   double time;              // s, of the first of them; negative: began unobserved
   double duration;          // s
   double a, b;              // m, grain centre at first contact, in the plate's plane
-  double speed;             // m/s, before contact
-  double angle;             // degrees between velocity before contact and plate normal
-  double energy;            // J, translational and rotational, before contact
+  double speed;             // m/s, before contact, against the surface
+  double angle;             // degrees between that velocity and the plate's normal
+  double energy;            // J, translational (of that velocity) and rotational
   double normalPeak;        // N, largest normal force, positive when it pushes the grain off
   double tangentialPeak;    // N
   double normalSum;         // N s, of the force over the time in contact
   double tangentialSum;     // N s
+  double mesh, triangle;    // touched last: place in the list of the wall's meshes, element ID
+  double surface[3];        // m/s, of the surface there
 
-  static constexpr int SIZE = 12;
+  static constexpr int SIZE = 17;
   double *data() { return &steps; }
   const double *data() const { return &steps; }
 
@@ -58,8 +60,8 @@ struct FinishedCollision {
   Collision contact;
   double id;                // atom ID
   double particles;         // original particles that the grain stands for, f_cg^3
-  double speedAfter;        // m/s
-  double energyAfter;       // J
+  double speedAfter;        // m/s, against the surface
+  double energyAfter;       // J, with that velocity
 
   static constexpr int SIZE = Collision::SIZE + 4;
   double energyLoss() const { return contact.energy - energyAfter; }

@@ -23,19 +23,27 @@ using grainjet::PlateGeometry;
 
 /* ---------------------------------------------------------------------- */
 
-CollisionTracker::CollisionTracker(LAMMPS *lmp, const PlateGeometry &plate, int groupbit,
-  CollisionStore &store) :
-  Pointers(lmp), plate_(plate), groupbit_(groupbit), store_(store), start_(0.0),
-  rebuild_(true), thorough_(true), begun_(1 + plate.rings(), 0.0),
+// velocity of grain i against the surface
+static void against(const double *v, const double *surface, double *relative)
+{
+  for (int dim = 0; dim < 3; dim++) relative[dim] = v[dim] - surface[dim];
+}
+
+/* ---------------------------------------------------------------------- */
+
+CollisionTracker::CollisionTracker(LAMMPS *lmp, const PlateGeometry &plate,
+  const WallSurface &surface, int groupbit, CollisionStore &store) :
+  Pointers(lmp), plate_(plate), surface_(surface), groupbit_(groupbit), store_(store),
+  start_(0.0), rebuild_(true), thorough_(true), begun_(1 + plate.rings(), 0.0),
   seen_(false), elsewhere_(false)
 {
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool CollisionTracker::reaches(int i) const
+bool CollisionTracker::reaches(int i, int plate) const
 {
-  return std::fabs(plate_.height(atom->x[i])) < atom->radius[i];
+  return std::fabs(surface_.height(plate, atom->x[i])) < atom->radius[i];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -43,7 +51,9 @@ bool CollisionTracker::reaches(int i) const
 bool CollisionTracker::touches(int i, double **forces) const
 {
   const double *f = forces[i];
-  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0) && reaches(i);
+  WallSurface::Touch touch;
+  return (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0) && surface_.touch(i, touch)
+    && reaches(i, touch.mesh);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -60,9 +70,22 @@ void CollisionTracker::skip_present(double **forces)
 }
 
 /* ----------------------------------------------------------------------
-   The wall's own neighbour lists rest on the same margin: until the next rebuild no
-   grain moves by more than the skin. Only between runs can a grain be put elsewhere
-   while it touches; then all are looked at.
+   The wall's own neighbour lists rest on the same margin: until the next rebuild neither
+   grain nor mesh moves by more than the skin.
+------------------------------------------------------------------------- */
+
+bool CollisionTracker::comes_near(int i) const
+{
+  for (int plate = 0; plate < surface_.plates(); plate++) {
+    if (!surface_.bears(plate)) continue;
+    const double margin = surface_.carried(plate) ? 2 * neighbor->skin : neighbor->skin;
+    if (std::fabs(surface_.height(plate, atom->x[i])) < atom->radius[i] + margin) return true;
+  }
+  return false;
+}
+
+/* ----------------------------------------------------------------------
+   Only between runs can a grain be put elsewhere while it touches; then all are looked at.
 ------------------------------------------------------------------------- */
 
 void CollisionTracker::find_near(double **forces)
@@ -71,8 +94,7 @@ void CollisionTracker::find_near(double **forces)
   near_.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit_)) continue;
-    if (std::fabs(plate_.height(atom->x[i])) < atom->radius[i] + neighbor->skin
-        || (thorough_ && store_.find(i)))
+    if (comes_near(i) || (thorough_ && store_.find(i)))
       near_.push_back(i);
     else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
       elsewhere_ = true;
@@ -89,12 +111,18 @@ void CollisionTracker::step(double **forces, double time)
     const double *force = forces[0] + 3 * i;    // one block, as all arrays of LIGGGHTS
     const bool pushed = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
     Collision *c = store_.find(i);
-    if (pushed && reaches(i)) {
+    WallSurface::Touch touch;
+    if (pushed && surface_.touch(i, touch) && reaches(i, touch.mesh)) {
       seen_ = true;
-      if (!c) c = &begin(i, time);
+      if (!c) c = &begin(i, time, touch);
+      c->mesh = touch.mesh;
+      c->triangle = touch.triangle;
       double normal[3];
-      const double side = plate_.height(atom->x[i]) < 0.0 ? -1.0 : 1.0;
-      for (int dim = 0; dim < 3; dim++) normal[dim] = side * plate_.normal()[dim];
+      const double side = surface_.height(touch.mesh, atom->x[i]) < 0.0 ? -1.0 : 1.0;
+      for (int dim = 0; dim < 3; dim++) {
+        c->surface[dim] = touch.velocity[dim];
+        normal[dim] = side * surface_.normal(touch.mesh)[dim];
+      }
       c->addStep(force, normal, update->dt);
     } else if (c) {
       finish(i);
@@ -104,10 +132,10 @@ void CollisionTracker::step(double **forces, double time)
 
 /* ---------------------------------------------------------------------- */
 
-double CollisionTracker::kinetic_energy(int i) const
+double CollisionTracker::kinetic_energy(int i, const double *velocity) const
 {
   const double radius = atom->radius[i];
-  return 0.5 * atom->rmass[i] * (PlateGeometry::dot(atom->v[i], atom->v[i])
+  return 0.5 * atom->rmass[i] * (PlateGeometry::dot(velocity, velocity)
     + 0.4 * radius * radius * PlateGeometry::dot(atom->omega[i], atom->omega[i]));
 }
 
@@ -126,23 +154,26 @@ void CollisionTracker::count(const Collision &c, std::vector<double> &regions) c
 
 /* ---------------------------------------------------------------------- */
 
-Collision &CollisionTracker::begin(int i, double time)
+Collision &CollisionTracker::begin(int i, double time, const WallSurface::Touch &touch)
 {
   Collision &c = store_.begin(i);
   c.time = time;
-  plate_.project(atom->x[i], &c.a);
-  const double *v = atom->v[i];
-  const double across = PlateGeometry::dot(v, plate_.normal());
+  surface_.project(touch.mesh, atom->x[i], &c.a);
+  double v[3];
+  against(atom->v[i], touch.velocity, v);
+  const double across = PlateGeometry::dot(v, surface_.normal(touch.mesh));
   const double square = PlateGeometry::dot(v, v);
   c.speed = std::sqrt(square);
   c.angle = std::atan2(std::sqrt(std::max(square - across * across, 0.0)), std::fabs(across))
     * 180.0 / MathConst::MY_PI;
-  c.energy = kinetic_energy(i);
+  c.energy = kinetic_energy(i, v);
   count(c, begun_);
   return c;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   The surface has gone on since it was touched last: its velocity is that of this step
+------------------------------------------------------------------------- */
 
 void CollisionTracker::finish(int i)
 {
@@ -154,8 +185,11 @@ void CollisionTracker::finish(int i)
     collision.contact = c;
     collision.id = atom->tag[i];
     collision.particles = cg * cg * cg;
-    collision.speedAfter = std::sqrt(PlateGeometry::dot(atom->v[i], atom->v[i]));
-    collision.energyAfter = kinetic_energy(i);
+    WallSurface::Touch last = {static_cast<int>(c.mesh), static_cast<int>(c.triangle), {}};
+    double v[3];
+    against(atom->v[i], surface_.velocity(i, last) ? last.velocity : c.surface, v);
+    collision.speedAfter = std::sqrt(PlateGeometry::dot(v, v));
+    collision.energyAfter = kinetic_energy(i, v);
     finished_.push_back(collision);
   }
   store_.end(i);

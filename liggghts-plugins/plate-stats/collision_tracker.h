@@ -10,6 +10,7 @@
 #include "collision.h"
 #include "collision_store.h"
 #include "plate_geometry.h"
+#include "wall_surface.h"
 
 #include "pointers.h"
 
@@ -17,13 +18,14 @@
 
 namespace LAMMPS_NS {
 
-/* Follows the collisions of this rank's grains with the plate from step to step. The
-   owner of the store sees to it that collisions in progress migrate and restart.   */
+/* Follows the collisions of this rank's grains with the plate from step to step. Velocities
+   are against the surface at the contact. The owner of the store sees to it that
+   collisions in progress migrate and restart.                                        */
 class CollisionTracker : protected Pointers {
  public:
 
-  CollisionTracker(class LAMMPS *, const grainjet::PlateGeometry &, int groupbit,
-    grainjet::CollisionStore &);
+  CollisionTracker(class LAMMPS *, const grainjet::PlateGeometry &, const WallSurface &,
+    int groupbit, grainjet::CollisionStore &);
 
   // collisions that begin earlier do not count (s)
   void count_from(double time) { start_ = time; }
@@ -56,7 +58,8 @@ class CollisionTracker : protected Pointers {
 
  private:
 
-  const grainjet::PlateGeometry &plate_;
+  const grainjet::PlateGeometry &plate_;    // radius and rings
+  const WallSurface &surface_;
   int groupbit_;
   grainjet::CollisionStore &store_;
   double start_;
@@ -67,13 +70,14 @@ class CollisionTracker : protected Pointers {
   std::vector<double> begun_;
   bool seen_, elsewhere_;
 
-  bool reaches(int) const;
+  bool reaches(int, int plate) const;
   bool touches(int, double **forces) const;
+  bool comes_near(int) const;
   bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= start_; }
-  double kinetic_energy(int) const;
+  double kinetic_energy(int, const double *velocity) const;
   void count(const grainjet::Collision &, std::vector<double> &) const;
   void find_near(double **forces);
-  grainjet::Collision &begin(int, double time);
+  grainjet::Collision &begin(int, double time, const WallSurface::Touch &);
   void finish(int);
 };
 

@@ -6,6 +6,8 @@
 
 #include "events_file.h"
 
+#include "output_file.h"
+
 #include <cerrno>
 #include <cstring>
 #include <unistd.h>
@@ -28,24 +30,36 @@ std::string EventsFile::fault(const char *action) const
 
 /* ---------------------------------------------------------------------- */
 
+const std::string &EventsFile::columns()
+{
+  static const std::string line = "time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
+    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles";
+  return line;
+}
+
+/* ---------------------------------------------------------------------- */
+
 std::string EventsFile::create()
 {
-  file_ = fopen(path_.c_str(), "w");
-  if (!file_) return fault("write events file");
-  return write("time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
-    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles\n");
+  const std::string fault = OutputFile::check_own(path_, columns());
+  if (!fault.empty()) return fault;
+  if (unlink(path_.c_str()) != 0 && errno != ENOENT) return this->fault("write events file");
+  file_ = fopen(path_.c_str(), "ax");
+  if (!file_) return this->fault("write events file");
+  return write(columns() + "\n");
 }
 
 /* ---------------------------------------------------------------------- */
 
 std::string EventsFile::resume(double size)
 {
-  if (access(path_.c_str(), F_OK) != 0) return create();    // restarted in another folder
-  file_ = fopen(path_.c_str(), "r+");
+  const std::string foreign = OutputFile::check_kind(path_);
+  if (!foreign.empty()) return foreign;
+  file_ = fopen(path_.c_str(), "a+");
   if (!file_) return fault("continue events file");
   // it must be the file that was written then: one that has a line's end at that place
   fseek(file_, static_cast<long>(size) - 1, SEEK_SET);
-  if (fgetc(file_) != '\n')
+  if (fgetc(file_) != '\n' || !OutputFile::check_own(path_, columns()).empty())
     return "events file '" + path_ + "' is not the one written before the restart; move it "
       "away or give another path";
   if (ftruncate(fileno(file_), static_cast<off_t>(size)) != 0)

@@ -27,7 +27,11 @@ class EventsFile {
   EventsFile(const EventsFile &) = delete;
   EventsFile &operator=(const EventsFile &) = delete;
 
-  // A new file with its header line, in place of an older one
+  // the first line
+  static const std::string &columns();
+
+  // A new file with its first line. An older one of the fix gives way as a whole, since it
+  // can have other names (hard links) by which somebody keeps it.
   std::string create();
 
   // Goes on behind the first `size` bytes of the file, as it was when a restart file was
@@ -37,6 +41,7 @@ class EventsFile {
   std::string append(const std::vector<FinishedCollision> &);
 
   double size() const { return size_; }    // bytes
+  FILE *file() const { return file_; }
 
  private:
 

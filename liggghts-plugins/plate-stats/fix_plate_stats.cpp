@@ -11,18 +11,18 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "modify.h"
 #include "update.h"
 
 #include <algorithm>
-#include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <set>
 #include <utility>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using grainjet::EventsFile;
 using grainjet::FinishedCollision;
 using grainjet::FixArguments;
 using grainjet::PlateGeometry;
@@ -31,19 +31,47 @@ using grainjet::PlateStatistics;
 // steps between gatherings, so that buffers stay small for any `every`
 static const int GATHER_EVERY = 1000;
 
+// Each ring is a row of the table with its own moments on every rank
+static const double MOST_RINGS = 10000;
+
+// m, far beyond any simulation, near enough for all arithmetic
+static const double FAR = 1e30;
+
+/* ---------------------------------------------------------------------- */
+
+static int whole(FixArguments &arguments, const std::string &what, double most)
+{
+  const double value = arguments.number(what);
+  char range[100];
+  snprintf(range, sizeof(range), " must be a whole number >= 1 and <= %.0f, not %g", most, value);
+  if (!(value >= 1.0 && value <= most && value == std::floor(value))) arguments.fail(what + range);
+  return static_cast<int>(value);
+}
+
+static double length(FixArguments &arguments, const std::string &what)
+{
+  const double value = arguments.number(what);
+  if (!(std::fabs(value) < FAR)) arguments.fail(what + " must be below 1e30 m");
+  return value;
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  every_(1000), start_(0.0), observed_(false),
-  warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0)
+  every_(1000), start_(0.0), observed_(false), anew_(false),
+  unknown_(false), warned_(false), clock_(-1.0), begin_(0.0), restartedEvents_(-1.0),
+  started_(false), left_(false)
 {
   parse(narg, arg);
   const FixArguments arguments(error, narg, arg);
   if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
+  if (strcmp(update->unit_style, "si") != 0)
+    arguments.fail(std::string("requires units si, not ") + update->unit_style);
 
   wall_.reset(new WallForces(lmp, wallID_));
-  tracker_.reset(new CollisionTracker(lmp, *plate_, groupbit, store_));
+  surface_.reset(new WallSurface(lmp, wallID_, id, *plate_));
+  tracker_.reset(new CollisionTracker(lmp, *plate_, *surface_, groupbit, store_));
   statistics_.reset(new PlateStatistics(*plate_));
   begun_.assign(statistics_->regions(), 0.0);
 
@@ -76,18 +104,22 @@ void FixPlateStats::parse(int narg, char **arg)
   bool hasCentre = false, hasNormal = false;
   double centre[3], normal[3], radius = 0.0;
   int rings = 0;
+  std::set<std::string> given;
   while (arguments.more()) {
     const std::string keyword = arguments.word("keyword");
+    if (!given.insert(keyword).second) arguments.fail("keyword '" + keyword + "' is given twice");
     if (keyword == "wall") wallID_ = arguments.word("ID of a fix wall/gran after 'wall'");
     else if (keyword == "centre") {
-      for (double &x : centre) x = arguments.number("coordinates x y z after 'centre'");
+      for (double &x : centre) x = length(arguments, "coordinates x y z after 'centre'");
       hasCentre = true;
     } else if (keyword == "normal") {
       for (double &x : normal) x = arguments.number("components nx ny nz after 'normal'");
       hasNormal = true;
-    } else if (keyword == "radius") radius = arguments.positive("radius");
-    else if (keyword == "rings") rings = arguments.count("rings");
-    else if (keyword == "every") every_ = arguments.count("every");
+    } else if (keyword == "radius") {
+      radius = arguments.positive("radius");
+      if (!(radius < FAR)) arguments.fail("radius must be below 1e30 m");
+    } else if (keyword == "rings") rings = whole(arguments, "rings", MOST_RINGS);
+    else if (keyword == "every") every_ = whole(arguments, "every", 1e9);
     else if (keyword == "file") path_ = arguments.word("path after 'file'");
     else if (keyword == "events") eventsPath_ = arguments.word("path after 'events'");
     else if (keyword == "stats_start") start_ = arguments.nonNegative("stats_start");
@@ -100,7 +132,11 @@ void FixPlateStats::parse(int narg, char **arg)
     {"rings", rings > 0}, {"file", !path_.empty()}};
   for (const auto &item : required)
     if (!item.second) arguments.fail(std::string("missing keyword ") + item.first);
-  if (PlateGeometry::dot(normal, normal) == 0.0) arguments.fail("normal must not be zero");
+  if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
+    arguments.fail("normal must not be zero");
+  const double size = std::hypot(std::hypot(normal[0], normal[1]), normal[2]);
+  if (!(size > 1e-100 && size < 1e100))
+    arguments.fail("normal must have a length between 1e-100 and 1e100, best 1");
 
   plate_.reset(new PlateGeometry(centre, normal, radius, rings));
 }
@@ -114,37 +150,18 @@ int FixPlateStats::setmask()
 
 /* ---------------------------------------------------------------------- */
 
-void FixPlateStats::post_create()
+void FixPlateStats::pre_delete(bool unfixflag)
 {
-  find_wall();
-  just_created = 0;    // grains are free of collisions; Modify::setup need not say so again
-
-  std::string fault;
-  if (comm->me == 0) {
-    FILE *file = fopen(path_.c_str(), "a");
-    if (file) fclose(file);
-    else fault = "cannot write file '" + path_ + "': " + strerror(errno);
-    if (fault.empty() && !eventsPath_.empty()) {
-      events_.reset(new EventsFile(eventsPath_));
-      fault = restartedEvents_ < 0 ? events_->create() : events_->resume(restartedEvents_);
-    }
-  }
-  agree(fault);
+  if (unfixflag) surface_->release();
 }
 
-/* ----------------------------------------------------------------------
-   ends the run on all ranks if rank 0 has met a fault
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixPlateStats::agree(std::string fault)
+void FixPlateStats::fail(const std::string &message) const
 {
-  int length = fault.size();
-  MPI_Bcast(&length, 1, MPI_INT, 0, world);
-  if (length == 0) return;
-  fault.resize(length);
-  MPI_Bcast(&fault[0], length, MPI_CHAR, 0, world);
-  fault = std::string("Fix plate/stats (ID ") + id + "): " + fault;
-  error->all(FLERR, fault.c_str());
+  const std::string text = std::string("Fix plate/stats (ID ") + id + "): " + message;
+  error->all(FLERR, text.c_str());
+  std::abort();    // never reached: Error::all ends the program
 }
 
 /* ---------------------------------------------------------------------- */
@@ -152,16 +169,19 @@ void FixPlateStats::agree(std::string fault)
 void FixPlateStats::init()
 {
   find_wall();    // it may have been replaced since
+  if (strcmp(update->integrate_style, "verlet") != 0)
+    fail(std::string("requires run_style verlet, not ") + update->integrate_style);
+  if (!(update->dt > 0.0)) fail("requires a timestep > 0");
+  agree(comm->me == 0 ? check_files() : "");
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixPlateStats::find_wall()
 {
-  const std::string fault = wall_->attach();
-  if (fault.empty()) return;
-  const std::string text = std::string("Fix plate/stats (ID ") + id + "): " + fault;
-  error->all(FLERR, text.c_str());
+  std::string fault = wall_->attach();
+  if (fault.empty()) fault = surface_->attach();
+  if (!fault.empty()) fail(fault);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -174,8 +194,11 @@ void FixPlateStats::setup(int)
   }
   tracker_->count_from(begin_);
   tracker_->start_run();
+  surface_->update();
   if (!observed_) tracker_->skip_present(wall_->forces());
-  observed_ = true;
+  if (anew_) begun_ = touching();    // what goes on from before the restart and counts
+  anew_ = false;
+  observed_ = started_ = true;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -190,6 +213,7 @@ void FixPlateStats::pre_neighbor()
 void FixPlateStats::pre_final_integrate()
 {
   clock_ += update->dt;
+  if (!surface_->at_rest()) surface_->update();
   tracker_->step(wall_->forces(), clock_);
 }
 
@@ -274,28 +298,6 @@ std::vector<double> FixPlateStats::touching() const
   return all;
 }
 
-/* ----------------------------------------------------------------------
-   The file is replaced as a whole by renaming, so a reader never sees half a table.
-------------------------------------------------------------------------- */
-
-void FixPlateStats::write()
-{
-  gather();
-  const std::vector<double> now = touching();
-  std::string fault;
-  if (comm->me == 0) {
-    const std::string text =
-      statistics_->csv(std::max(clock_ - begin_, 0.0), begun_, now);
-    const std::string fresh = path_ + ".new";
-    FILE *file = fopen(fresh.c_str(), "w");
-    bool good = file && fwrite(text.data(), 1, text.size(), file) == text.size();
-    if (file && fclose(file) != 0) good = false;
-    if (!good || rename(fresh.c_str(), path_.c_str()) != 0)
-      fault = "cannot write file '" + path_ + "': " + strerror(errno);
-  }
-  agree(fault);
-}
-
 /* ---------------------------------------------------------------------- */
 
 double FixPlateStats::compute_vector(int n)
@@ -306,47 +308,4 @@ double FixPlateStats::compute_vector(int n)
     begun_[0] - statistics_->collisions(0) - now[0]};
   MPI_Bcast(values, 3, MPI_DOUBLE, 0, world);
   return values[n];
-}
-
-/* ----------------------------------------------------------------------
-   restart data: size, start_, clock_, begin_, bytes of the events file, collisions
-   begun per region, statistics
-------------------------------------------------------------------------- */
-
-void FixPlateStats::write_restart(FILE *fp)
-{
-  gather();
-  if (comm->me != 0) return;
-  std::vector<double> list = {0.0, start_, clock_, begin_, events_ ? events_->size() : -1.0};
-  list.insert(list.end(), begun_.begin(), begun_.end());
-  const std::vector<double> packed = statistics_->pack();
-  list.insert(list.end(), packed.begin(), packed.end());
-  list[0] = list.size();
-  const int bytes = list.size() * sizeof(double);
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(list.data(), sizeof(double), list.size(), fp);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixPlateStats::restart(char *buf)
-{
-  const double *list = reinterpret_cast<const double *>(buf);
-  const std::size_t size = static_cast<std::size_t>(list[0]), head = 5;
-  const std::vector<double> packed(list + head + begun_.size() < list + size
-    ? list + head + begun_.size() : list + size, list + size);
-  clock_ = list[2];
-  observed_ = true;
-  if (start_ != list[1]) {    // another stats_start asks for statistics from then on
-    begin_ = std::max(clock_, start_);
-    return;
-  }
-  if (!statistics_->unpack(packed)) {
-    const std::string text = std::string("Fix plate/stats (ID ") + id + "): the restart file "
-      "holds statistics of another number of rings; use that, or another fix ID";
-    error->all(FLERR, text.c_str());
-  }
-  begin_ = list[3];
-  restartedEvents_ = list[4];
-  begun_.assign(list + head, list + head + begun_.size());
 }

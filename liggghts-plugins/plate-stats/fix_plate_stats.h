@@ -21,6 +21,7 @@ FixStyle(plate/stats,FixPlateStats)
 #include "plate_geometry.h"
 #include "plate_statistics.h"
 #include "wall_forces.h"
+#include "wall_surface.h"
 
 #include <memory>
 #include <string>
@@ -37,7 +38,9 @@ namespace LAMMPS_NS {
    step. A collision begins in the first step with a force from the wall while the grain
    reaches the plate's plane, and ends in the first step without. Velocities are taken
    in mid-step, after the last kick without and before the first kick with that force
-   (and the reverse at the end), so speeds before and after hold no contact force.
+   (and the reverse at the end), so speeds before and after hold no contact force. They
+   are against the surface, whose velocity LIGGGHTS gives for mid-step as well; the plate
+   goes along with the mesh that it lies on.
 
    Collisions in progress migrate and restart with their grains; finished ones are
    gathered on rank 0, in the order of time and ID, so that the result does not depend
@@ -53,6 +56,7 @@ class FixPlateStats : public Fix {
 
   int setmask();
   void post_create();
+  void pre_delete(bool unfixflag);
   void init();
   void setup(int);
   void pre_neighbor();
@@ -84,12 +88,15 @@ class FixPlateStats : public Fix {
 
   std::unique_ptr<grainjet::PlateGeometry> plate_;
   std::unique_ptr<WallForces> wall_;
+  std::unique_ptr<WallSurface> surface_;
 
   // ---- on every rank
 
   grainjet::CollisionStore store_;
   std::unique_ptr<CollisionTracker> tracker_;
   bool observed_;           // grains in contact from before have been marked
+  bool anew_;               // after a restart statistics begin anew
+  bool unknown_;            // and the restart file's collisions are those of another plate
   bool warned_;             // whether the plate lies on the wall is settled
   double clock_;            // s, time of the simulation, also across restarts, where LIGGGHTS'
                             // own starts anew; < 0: not yet set
@@ -101,14 +108,23 @@ class FixPlateStats : public Fix {
   std::unique_ptr<grainjet::EventsFile> events_;
   std::vector<double> begun_;       // per region, since the statistics began
   double restartedEvents_;          // bytes of the events file to keep; < 0: new file
+  std::string restartedPath_;       // of that events file
+  bool started_;                    // the first run has begun
+  bool left_;                       // the table could not take its place; said already
 
   void parse(int, char **);
   void find_wall();
+  [[noreturn]] void fail(const std::string &message) const;
   void gather();
   std::vector<double> touching() const;
   void write();
   void warn_if_beside();
   void agree(std::string fault);
+  std::vector<std::string> paths() const;
+  std::string check_files() const;
+  std::string check_dumps() const;
+  std::string open_events();
+  std::string other_plate(const double *stored, const std::string &wall) const;
 };
 
 }

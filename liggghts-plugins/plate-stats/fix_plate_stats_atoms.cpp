@@ -65,6 +65,7 @@ void FixPlateStats::unpack_restart(int i, int nth)
   const double *extra = atom->extra[i];
   for (int n = 0; n < nth; n++) extra += static_cast<int>(extra[0]);
   store_.unpack(i, extra + 1);
+  if (unknown_ && store_.find(i)) store_.find(i)->time = -1.0;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -50,16 +50,22 @@ void PlateStatistics::add(const FinishedCollision &collision)
 
 /* ---------------------------------------------------------------------- */
 
-std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
-  const std::vector<double> &touching) const
+std::string PlateStatistics::columns()
 {
   std::string text = "region,r_in,r_out,time,collisions,frequency";
   for (const std::string &name : quantities())
     text += "," + name + "_mean," + name + "_variance," + name + "_skewness";
   text += ",particle_frequency";
   for (const std::string &name : quantities()) text += "," + name + "_standard_error";
-  text += ",touching,deleted\n";
+  return text + ",touching,deleted";
+}
 
+/* ---------------------------------------------------------------------- */
+
+std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
+  const std::vector<double> &touching) const
+{
+  std::string text = columns() + "\n";
   const auto put = [&text](double value) {
     char number[32];
     snprintf(number, sizeof(number), ",%.10g", value);

@@ -27,6 +27,9 @@ class PlateStatistics {
   // quantities with moments, in the order of the columns
   static const std::vector<std::string> &quantities();
 
+  // the first line of the table
+  static std::string columns();
+
   explicit PlateStatistics(const PlateGeometry &);
 
   // regions: 0 is the whole plate, 1 + i is ring i

@@ -10,26 +10,9 @@ import time
 import unittest
 
 import grainjet
-from plate_case import D, PLATE, PlateCase, hertz
-
-MESH = """
-    fix disc all mesh/surface file disc.stl type 1
-    fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes disc store_force yes
-"""
-
+from plate_case import D, MESH, PLATE, PlateCase, hertz
 
 class Tracking(PlateCase):
-
-    def disc(self, radius=0.006, sectors=24):
-        """An STL disc around the origin, normal along z, cut like a cake."""
-        corner = [(radius * math.cos(2 * math.pi * i / sectors),
-                   radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors + 1)]
-        text = "solid disc\n"
-        for p, q in zip(corner, corner[1:]):
-            text += "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
-            text += f"vertex {p[0]:.9e} {p[1]:.9e} 0\nvertex {q[0]:.9e} {q[1]:.9e} 0\n"
-            text += "endloop\nendfacet\n"
-        (self.folder / "disc.stl").write_text(text + "endsolid disc\n")
 
     def test_mesh_plate_equals_primitive_plate(self):
         """A disc of triangles gives the statistics of the plane: grains in the middle of
@@ -193,43 +176,6 @@ class Tracking(PlateCase):
             for line in lines[1:-1]:
                 self.assertEqual(len([float(w) for w in line.split(",")]), 14, line)
             self.assertEqual(len(self.table()), 6)
-
-    def test_bad_input(self):
-        good = "wall w centre 0 0 0 normal 0 0 1 radius 0.005 rings 5 file plate.csv"
-        self.data([(0, 0, D, 0, 0, -2.0)])
-        for line, words in (
-                ("", ("missing keyword wall",)),
-                (good.replace("wall w ", ""), ("missing keyword wall",)),
-                (good.replace("wall w", "wall g"), ("'g'", "fix wall/gran")),
-                (good.replace("wall w", "wall nowhere"), ("'nowhere'", "fix wall/gran")),
-                (good.replace("centre 0 0 0 ", ""), ("missing keyword centre",)),
-                (good.replace("centre 0 0 0", "centre 0 0"), ("'normal' is not a number", "centre")),
-                (good.replace("normal 0 0 1", "normal 0 0 0"), ("normal must not be zero",)),
-                (good.replace("0.005", "-1"), ("radius must be > 0", "-1")),
-                (good.replace("rings 5", "rings 0"), ("rings must be a whole number >= 1",)),
-                (good.replace("rings 5", "rings 2.5"), ("rings must be a whole number >= 1",)),
-                (good.replace(" file plate.csv", ""), ("missing keyword file",)),
-                (good.replace("plate.csv", "no/such/folder/plate.csv"), ("no/such/folder", "cannot write")),
-                (good + " events no/such/events.csv", ("no/such/events.csv", "cannot write")),
-                (good + " every 0", ("every must be a whole number",)),
-                (good + " stats_start -1", ("stats_start must be >= 0",)),
-                (good + " stats_start", ("missing stats_start",)),
-                (good + " colour red", ("unknown keyword 'colour'", "stats_start")),
-        ):
-            with self.subTest(line):
-                result = self.liggghts(self.script(f"fix p all plate/stats {line}\nrun 1"), check=False)
-                self.assertFails(result, "Fix plate/stats (ID p)", *words)
-                self.assertEqual(result.output.count("ERROR"), 1)
-
-    def test_bad_surroundings(self):
-        self.data([(0, 0, D, 0, 0, -2.0)])
-        wall = "fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0"
-        result = self.liggghts(self.script(f"{PLATE}\nrun 1", wall=wall), 2, check=False)
-        self.assertFails(result, "plate/stats", "store_force yes")
-        result = self.liggghts(self.script(f"{PLATE}\nrun 1\nunfix p\nunfix w\nrun 1"))
-        result = self.liggghts(self.script(f"{PLATE.replace('plate.csv', 'no/plate.csv')}\nrun 1"), 2,
-                               check=False)
-        self.assertFails(result, "cannot write")
 
     def test_defined_again(self):
         """The same ID once more replaces the fix, unfix removes it: statistics begin anew."""

@@ -1,7 +1,9 @@
 """Grains thrown at plates, for the tests of fix plate/stats."""
 
+import concurrent.futures
 import csv
 import math
+import shutil
 
 import grainjet
 
@@ -13,10 +15,10 @@ HEAD = """
     plugin load platestatsplugin.so
     atom_style granular
     atom_modify map array sort {sort}
-    boundary f f f
+    boundary {boundary}
     newton off
     communicate single vel yes
-    units si
+    units {units}
     processors {processors}
 """
 
@@ -38,6 +40,11 @@ PLANE = """
     fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0 store_force yes
 """
 
+MESH = """
+    fix disc all mesh/surface file disc.stl type 1
+    fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes disc store_force yes
+"""
+
 PLATE = ("fix p all plate/stats wall w centre 0 0 0 normal 0 0 1 radius 0.005 rings 5 "
          "file plate.csv events events.csv")
 
@@ -53,10 +60,10 @@ def hertz(speed, young=YOUNG):
 
 class PlateCase(grainjet.Case):
 
-    def data(self, grains, name="grains.data"):
+    def data(self, grains, name="grains.data", bottom=-0.001):
         """A data file with grains (x, y, z, vx, vy, vz)."""
         lines = ["grains", "", f"{len(grains)} atoms", "1 atom types", "",
-                 "-0.01 0.01 xlo xhi", "-0.01 0.01 ylo yhi", "-0.001 0.02 zlo zhi", "", "Atoms", ""]
+                 "-0.01 0.01 xlo xhi", "-0.01 0.01 ylo yhi", f"{bottom} 0.02 zlo zhi", "", "Atoms", ""]
         lines += [f"{i} 1 {D!r} {RHO!r} {g[0]!r} {g[1]!r} {g[2]!r}" for i, g in enumerate(grains, 1)]
         lines += ["", "Velocities", ""]
         lines += [f"{i} {g[3]!r} {g[4]!r} {g[5]!r} 0 0 0" for i, g in enumerate(grains, 1)]
@@ -64,12 +71,37 @@ class PlateCase(grainjet.Case):
 
     def script(self, body, e=1.0, mu=0.2, dt=1e-7, gravity=0.0, processors="* 1 1",
                read="read_data grains.data", before="", wall=PLANE, pair=PAIR, young=YOUNG,
-               sort="0 0"):
+               sort="0 0", boundary="f f f", units="si"):
         """Input script; pair="" for grains that do not know of each other."""
         material = MATERIAL.format(young=young, poisson=POISSON, e=e, mu=mu, dt=dt, gravity=gravity,
                                    pair=pair)
-        return (HEAD.format(processors=processors, sort=sort) + before + f"\n{read}\n" + material + wall
+        return (HEAD.format(processors=processors, sort=sort, boundary=boundary, units=units) + before + f"\n{read}\n" + material + wall
                 + "\nfix i all nve/sphere\n" + body)
+
+    def disc(self, radius=0.006, sectors=24, height=0.0, name="disc.stl"):
+        """An STL disc around the z axis, normal along z, cut like a cake."""
+        corner = [(radius * math.cos(2 * math.pi * i / sectors),
+                   radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors + 1)]
+        text = "solid disc\n"
+        for p, q in zip(corner, corner[1:]):
+            text += f"facet normal 0 0 1\nouter loop\nvertex 0 0 {height!r}\n"
+            text += f"vertex {p[0]:.9e} {p[1]:.9e} {height!r}\nvertex {q[0]:.9e} {q[1]:.9e} {height!r}\n"
+            text += "endloop\nendfacet\n"
+        (self.folder / name).write_text(text + "endsolid disc\n")
+
+    def side_by_side(self, scripts):
+        """Results of short scripts, each in a folder of its own: most of their time is MPI's start."""
+        def one(item):
+            folder = self.folder / str(item[0])
+            folder.mkdir()
+            for file in self.folder.glob("*.data"):
+                shutil.copy(file, folder)
+            (folder / "in.test").write_text(item[1])
+            result = grainjet.run(["liggghts-plugins", "-in", "in.test"], folder)
+            result.folder = folder
+            return result
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            return list(pool.map(one, enumerate(scripts)))
 
     def table(self, name="plate.csv"):
         """The statistics by region, numbers as floats."""

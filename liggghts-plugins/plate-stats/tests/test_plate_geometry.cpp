@@ -105,6 +105,43 @@ TEST(PlateGeometry, ObliquePlates)
   }
 }
 
+// A rigid motion takes the coordinates of a point along, from either side; rounding in the
+// axes is mended
+TEST(PlateGeometry, CarriedAlong)
+{
+  const double start[3] = {1, -2, 3}, end[3] = {-4, 0.5, 2}, turn = 0.7;
+  const double c = std::cos(turn), s = std::sin(turn);
+  const auto rotated = [&](const double *x, double *y) {    // about y
+    y[0] = c * x[0] + s * x[2];
+    y[1] = x[1];
+    y[2] = -s * x[0] + c * x[2];
+  };
+  for (double side : {1.0, -2.0}) {
+    const double normal[3] = {0.3 * side, 0.1 * side, side};
+    PlateGeometry p(start, normal, 1, 4);
+    double x[3], moved[3], from[3], ab[2], after[2], n[3], a[3];
+    p.point(0.3, -0.45, x);
+    for (int i = 0; i < 3; i++) x[i] += 0.01 * p.normal()[i];
+    p.project(x, ab);
+    const double height = p.height(x);
+    for (int i = 0; i < 3; i++) from[i] = x[i] - start[i];
+    rotated(from, moved);
+    for (int i = 0; i < 3; i++) moved[i] += end[i];
+    rotated(p.normal(), n);
+    rotated(p.a(), a);
+    for (int i = 0; i < 3; i++) {
+      n[i] *= 1 + 1e-6;
+      a[i] = 0.999 * a[i] + 1e-9 * n[i];
+    }
+    p.carry(end, n, a);
+    p.project(moved, after);
+    EXPECT_NEAR(after[0], ab[0], 1e-14);
+    EXPECT_NEAR(after[1], ab[1], 1e-14);
+    EXPECT_NEAR(p.height(moved), height, 1e-14);
+    EXPECT_EQ(p.ring(after), p.ring(ab));
+  }
+}
+
 // Three steps by hand: normal forces 1, 3, 2 along (0,0,-1), tangential 3-4-5 triangles
 TEST(Collision, PeaksSumsAndMeans)
 {

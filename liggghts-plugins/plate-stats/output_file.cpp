@@ -1,0 +1,151 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "output_file.h"
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace grainjet {
+
+/* ---------------------------------------------------------------------- */
+
+static std::string cannot_write(const std::string &path)
+{
+  return "cannot write file '" + path + "': " + strerror(errno);
+}
+
+/* ---------------------------------------------------------------------- */
+
+static bool same_node(const struct stat &p, const struct stat &q)
+{
+  return p.st_dev == q.st_dev && p.st_ino == q.st_ino;
+}
+
+/* ----------------------------------------------------------------------
+   folder without links and detours, and name
+------------------------------------------------------------------------- */
+
+static std::string place(const std::string &path)
+{
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  char real[PATH_MAX];
+  if (!realpath(folder.c_str(), real)) return path;
+  return std::string(real) + "/" + path.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::check_kind(const std::string &path)
+{
+  struct stat status;
+  if (lstat(path.c_str(), &status) != 0) return errno == ENOENT ? "" : cannot_write(path);
+  std::string kind;
+  if (S_ISLNK(status.st_mode)) kind = "a symbolic link";
+  else if (S_ISDIR(status.st_mode)) kind = "a directory";
+  else if (!S_ISREG(status.st_mode)) kind = "a device, pipe or socket";
+  if (!kind.empty())
+    return "'" + path + "' is " + kind + "; give the path of a regular file, or of none yet";
+  return access(path.c_str(), W_OK) == 0 ? "" : cannot_write(path);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::check_own(const std::string &path, const std::string &line, bool cut)
+{
+  const std::string fault = check_kind(path);
+  if (!fault.empty()) return fault;
+  FILE *file = fopen(path.c_str(), "r");
+  if (!file) return errno == ENOENT ? "" : cannot_write(path);
+  std::string found(line.size() + 1, '\0');
+  found.resize(fread(&found[0], 1, found.size(), file));
+  fclose(file);
+  const std::string own = line + "\n";
+  if (found == own || (cut && own.compare(0, found.size(), found) == 0)) return "";
+  return "'" + path + "' exists and was not written by fix plate/stats, so it is not "
+    "overwritten; move it away or give another path";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::check_open(const std::string &path, FILE *except)
+{
+  struct stat status;
+  DIR *list = stat(path.c_str(), &status) == 0 ? opendir("/proc/self/fd") : NULL;
+  if (!list) return "";
+  bool found = false;
+  while (const dirent *entry = readdir(list)) {
+    const int number = atoi(entry->d_name);
+    struct stat opened;
+    if (entry->d_name[0] == '.' || (except && number == fileno(except))) continue;
+    if (fstat(number, &opened) == 0 && same_node(opened, status)) found = true;
+  }
+  closedir(list);
+  if (!found) return "";
+  return "'" + path + "' is in use by this run, as input script, log or output of another "
+    "command; give another path";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::check_folder(const std::string &path)
+{
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+  if (file < 0) return errno == EEXIST ? "" : cannot_write(path);
+  close(file);
+  unlink(path.c_str());
+  return "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool OutputFile::same(const std::string &p, const std::string &q)
+{
+  struct stat first, second;
+  if (stat(p.c_str(), &first) == 0 && stat(q.c_str(), &second) == 0
+      && same_node(first, second))
+    return true;
+  return place(p) == place(q);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::temporary(const std::string &path)
+{
+  return path + ".new";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string OutputFile::replace(const std::string &path, const std::string &line,
+  const std::string &text, bool &left)
+{
+  const std::string fresh = temporary(path);
+  std::string fault = check_own(fresh, line, true);
+  if (!fault.empty()) return fault;
+  unlink(fresh.c_str());
+  FILE *file = fopen(fresh.c_str(), "wx");
+  if (!file) return cannot_write(fresh);
+  bool good = fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (fclose(file) != 0) good = false;
+  if (!good) {
+    fault = cannot_write(fresh);
+    unlink(fresh.c_str());
+    return fault;
+  }
+  left = !check_own(path, line).empty();
+  if (left || rename(fresh.c_str(), path.c_str()) == 0) return "";
+  return cannot_write(path);
+}
+
+}
