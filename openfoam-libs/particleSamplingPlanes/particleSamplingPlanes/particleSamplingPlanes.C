@@ -203,7 +203,27 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     jumped_(0),
     keeper_()
 {
-    read(dict);
+    if (runTime.timeIndex() == runTime.startTimeIndex())
+    {
+        read(dict);
+        return;
+    }
+
+    // Added while the run goes on. OpenFOAM ends a run for wrong input; after
+    // any other error it says so and goes on without the function object
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        read(dict);
+        FatalIOError.throwExceptions(throwing);
+    }
+    catch (const Foam::IOerror& err)
+    {
+        FatalIOError.throwExceptions(throwing);
+        FatalErrorInFunction
+            << err.message().c_str() << nl << "file: " << err.ioFileName()
+            << nl << "This run goes on without " << name << exit(FatalError);
+    }
 }
 
 

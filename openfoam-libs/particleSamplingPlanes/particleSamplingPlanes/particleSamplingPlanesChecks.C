@@ -71,12 +71,17 @@ Foam::functionObjects::particleSamplingPlanes::checkRegion
     const dictionary& dict
 )
 {
-    // Other errors than those of input only make OpenFOAM leave a function object out
+    // Other errors than those of input only make OpenFOAM leave a function
+    // object out: right while the run goes on, not at its start
     const word region
     (
         dict.lookupOrDefault<word>("region", polyMesh::defaultRegion)
     );
-    if (!runTime.foundObject<fvMesh>(region))
+    if
+    (
+        runTime.timeIndex() == runTime.startTimeIndex()
+     && !runTime.foundObject<fvMesh>(region)
+    )
     {
         FatalIOErrorInFunction(dict)
             << "region " << region << " is not a mesh of this run. There are "

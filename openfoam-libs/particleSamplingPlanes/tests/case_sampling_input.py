@@ -144,6 +144,18 @@ class Edits(grainjet.Case):
                 self.assertIn("profiles in", log)
                 self.assertEqual(table, unedited)
 
+    def test_added_by_an_edit(self):
+        _, unedited = self.run_case("unedited")
+        right = stream.sampling().replace("profiles", "second")
+        for name, wrong in (("planes", stream.sampling(planes="()")), ("region", stream.sampling(region="foo")),
+                            ("cloud", stream.sampling(cloud="nobody"))):
+            log, table = self.run_case(name, stream.sampling() + right + wrong.replace("profiles", "third"))
+            self.assertEqual(table, unedited)
+            self.assertIn("while loading function object 'third'", log)
+            # in a folder of its own: the time at which it was added
+            self.assertIn("sampled time = 0.2 s", (self.folder/name/"postProcessing/second/0.2/plane_1D.dat").read_text())
+            self.assertFalse((self.folder/name/"postProcessing/third").exists())
+
     def test_window_closed_by_an_edit(self):
         # What has been sampled by then is written: the step in which the edit is seen is not
         log, table = self.run_case("closed", stream.sampling(timeEnd=0.1))
