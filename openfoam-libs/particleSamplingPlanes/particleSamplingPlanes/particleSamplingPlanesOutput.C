@@ -121,8 +121,8 @@ void Foam::functionObjects::particleSamplingPlanes::readState
                 << "    " << file << nl
                 << "but earlier times have theirs, or postProcessing/" << name()
                 << " has tables of an earlier run." << nl
-                << "The run was probably killed while writing. Either "
-                << remedy << exit(FatalIOError);
+                << "The run was probably killed while writing, or went on without "
+                << name() << ". Either " << remedy << exit(FatalIOError);
         }
         if (time_.value() + 0.5*time_.deltaTValue() > timeEnd_)
         {
