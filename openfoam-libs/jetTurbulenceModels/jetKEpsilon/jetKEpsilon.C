@@ -5,6 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "jetKEpsilon.H"
+#include "coefficientChecks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -24,6 +25,52 @@ void Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::setDefault
 }
 
 
+template<class BasicTurbulenceModel>
+Foam::IOdictionary
+Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::properties
+(
+    const word& propertiesName,
+    const volVectorField& U,
+    const surfaceScalarField& alphaRhoPhi
+)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            IOobject::groupName(propertiesName, alphaRhoPhi.group()),
+            U.time().constant(),
+            U.db(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+template<class BasicTurbulenceModel>
+const Foam::word&
+Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::checked
+(
+    const word& propertiesName,
+    const volVectorField& U,
+    const surfaceScalarField& alphaRhoPhi
+)
+{
+    const IOdictionary given(properties(propertiesName, U, alphaRhoPhi));
+
+    const string fault(entriesFault(given, typeName));
+    if (!fault.empty())
+    {
+        FatalIOErrorInFunction(given.subOrEmptyDict("RAS"))
+            << fault.c_str() << exit(FatalIOError);
+    }
+
+    return propertiesName;
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 template<class BasicTurbulenceModel>
@@ -37,11 +84,25 @@ Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::epsilonSource() const
 
     tmp<volTensorField> tgradU = fvc::grad(this->U_);
 
-    // chi epsilon/k = (k/epsilon)^2 times the stretching rate
-    const volScalarField::Internal rate
+    const volScalarField::Internal T(this->k_()/this->epsilon_());
+    volScalarField::Internal C3chi
     (
-        CPope_*sqr(this->k_()/this->epsilon_())*vortexStretching(tgradU())
+        CPope_*pow3(T)*vortexStretching(tgradU())
     );
+    const label limited = limitStretching
+    (
+        C3chi.field(),
+        this->C2_.value() - 1
+    );
+
+    if (debug)
+    {
+        Info<< typeName << ": C3 chi from " << gMin(C3chi.field()) << " to "
+            << gMax(C3chi.field()) << ", limited in " << limited << " of "
+            << returnReduce(C3chi.size(), sumOp<label>()) << " cells" << endl;
+    }
+
+    const volScalarField::Internal rate(C3chi/T);
     const alphaField& alpha = this->alpha_;
     const rhoField& rho = this->rho_;
 
@@ -74,7 +135,7 @@ Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::jetKEpsilon
         alphaRhoPhi,
         phi,
         transport,
-        propertiesName,
+        checked(propertiesName, U, alphaRhoPhi),
         type
     ),
     roundJetCorrection_
@@ -117,6 +178,26 @@ Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::jetKEpsilon
 template<class BasicTurbulenceModel>
 bool Foam::RASModels::jetKEpsilon<BasicTurbulenceModel>::read()
 {
+    // An edit must not end a run
+    const IOdictionary given
+    (
+        properties
+        (
+            turbulenceModel::propertiesName,
+            this->U_,
+            this->alphaRhoPhi_
+        )
+    );
+    const string fault(entriesFault(given, typeName));
+    if (!fault.empty())
+    {
+        WarningInFunction
+            << given.objectPath() << ": " << fault.c_str()
+            << ". This run goes on with the coefficients that it has" << endl;
+
+        return this->regIOobject::read();
+    }
+
     if (kEpsilon<BasicTurbulenceModel>::read())
     {
         roundJetCorrectionNames.readIfPresent

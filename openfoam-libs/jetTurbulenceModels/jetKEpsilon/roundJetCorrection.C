@@ -29,4 +29,25 @@ Foam::RASModels::vortexStretching(const volTensorField& gradU)
 }
 
 
+Foam::label Foam::RASModels::limitStretching
+(
+    scalarField& C3chi,
+    const scalar limit
+)
+{
+    label limited = 0;
+
+    for (scalar& value : C3chi)
+    {
+        if (mag(value) > limit)
+        {
+            value = value > 0 ? limit : -limit;
+            ++limited;
+        }
+    }
+
+    return returnReduce(limited, sumOp<label>());
+}
+
+
 // ************************************************************************* //

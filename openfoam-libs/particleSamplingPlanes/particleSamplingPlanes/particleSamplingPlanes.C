@@ -28,63 +28,147 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::particleSamplingPlanes::checkKeywords
+void Foam::functionObjects::particleSamplingPlanes::readWindow
 (
     const dictionary& dict
-) const
+)
 {
-    const wordHashSet own
-    ({
-        "cloud", "origin", "axis", "diameter", "planes", "radialBins",
-        "maxRadius", "binning", "sizeClasses", "events", "reset"
-    });
-    const wordHashSet ofEveryFunctionObject
-    ({
-        "type", "libs", "functionObjectLibs", "enabled", "log", "region",
-        "timeStart", "timeEnd", "writeControl", "writeInterval",
-        "outputControl", "outputInterval", "executeControl", "executeInterval",
-        "triggerStart", "triggerEnd", "controlMode", "deltaTCoeff",
-        "nStepsToStartTimeChange", "writePrecision", "writeToFile",
-        "useUserTime"
-    });
-
-    for (const entry& e : dict)
+    timeStart_ = -VGREAT;
+    timeEnd_ = VGREAT;
+    if (dict.readIfPresent("timeStart", timeStart_))
     {
-        const word& keyword = e.keyword();
-
-        if (!own.found(keyword) && !ofEveryFunctionObject.found(keyword))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry " << keyword << ". Entries of " << type()
-                << " are " << own.sortedToc()
-                << " and those of every function object"
-                << exit(FatalIOError);
-        }
+        timeStart_ = time_.userTimeToTime(timeStart_);
     }
-
-    if (dict.found("executeControl") || dict.found("executeInterval"))
+    if (dict.readIfPresent("timeEnd", timeEnd_))
     {
-        FatalIOErrorInFunction(dict)
-            << "executeControl and executeInterval cannot be used with "
-            << type() << ", which must see every step; remove them"
-            << exit(FatalIOError);
+        timeEnd_ = time_.userTimeToTime(timeEnd_);
     }
+    triggered_ = dict.found("triggerStart");
+    ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
 }
 
 
-void Foam::functionObjects::particleSamplingPlanes::checkContinuity()
+void Foam::functionObjects::particleSamplingPlanes::begin
+(
+    const dictionary& dict
+)
+{
+    frame_ = samplingFrame(dict);
+
+    const word binning(dict.lookupOrDefault<word>("binning", "equalWidth"));
+    if (!ringGrid::binningNames.found(binning))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown binning " << binning << ". Valid: "
+            << flatOutput(ringGrid::binningNames.sortedToc())
+            << exit(FatalIOError);
+    }
+    grid_ = ringGrid
+    (
+        dict.get<label>("radialBins"),
+        dict.get<scalar>("maxRadius"),
+        ringGrid::binningNames[binning]
+    );
+
+    positions_ = numbers(dict, "planes");
+    sort(positions_);
+    if (positions_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "planes is missing or empty; give at least one distance from the origin"
+            << " in diameters" << exit(FatalIOError);
+    }
+
+    sizeLimits_ = numbers(dict, "sizeClasses");
+
+    checkNumbers(dict);
+
+    planes_.setSize(positions_.size()*max(sizeLimits_.size(), 1));
+    forAll(planes_, i)
+    {
+        planes_[i] = samplingPlane
+        (
+            positions_[i % positions_.size()],
+            grid_.size()
+        );
+    }
+
+    view_ = particleView::New(mesh_, dict.get<word>("cloud"));
+
+    if (dict.lookupOrDefault("events", false))
+    {
+        events_.reset(new crossingEvents);
+    }
+
+    if (postProcess)
+    {
+        return;
+    }
+
+    checkMesh(dict);
+    checkParticles(dict);
+    if (time_.timeIndex() == time_.startTimeIndex())
+    {
+        readState(dict);
+    }
+    makeFolder(dict);
+    keeper_.reset(new samplingState(time_, name(), *this));
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::takeOver
+(
+    particleSamplingPlanes& former
+)
+{
+    frame_ = former.frame_;
+    grid_ = former.grid_;
+    planes_ = former.planes_;
+    sizeLimits_ = former.sizeLimits_;
+    positions_ = former.positions_;
+    clock_ = former.clock_;
+    view_ = std::move(former.view_);
+    events_ = std::move(former.events_);
+    beginTime_ = former.beginTime_;
+    keptTimeIndex_ = former.keptTimeIndex_;
+    writtenTimeIndex_ = former.writtenTimeIndex_;
+    executedTimeIndex_ = former.executedTimeIndex_;
+    jumped_ = former.jumped_;
+    keeper_ = std::move(former.keeper_);
+    keeper_->setOwner(*this);
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::sample()
 {
     const label timeIndex = time_.timeIndex();
 
+    if (executedTimeIndex_ == timeIndex)
+    {
+        return;
+    }
     if (executedTimeIndex_ >= 0 && timeIndex != executedTimeIndex_ + 1)
     {
-        FatalErrorInFunction
+        WarningInFunction
             << type() << ' ' << name() << " was not executed between the steps "
             << executedTimeIndex_ << " and " << timeIndex
-            << ", crossings are lost" << exit(FatalError);
+            << ": what crossed meanwhile is not counted" << endl;
+        view_->forget();
     }
-
     executedTimeIndex_ = timeIndex;
+
+    if (view_->refresh())
+    {
+        if (clock_.advance(time_.deltaTValue()))
+        {
+            for (samplingPlane& plane : planes_)
+            {
+                plane.joinBatches();
+            }
+        }
+
+        bookCrossings();
+    }
 }
 
 
@@ -97,7 +181,7 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
+    fvMeshFunctionObject(name, runTime, checkRegion(runTime, dict)),
     writeFile(mesh_, name),
     frame_(),
     grid_(1, 1, ringGrid::binning::equalWidth),
@@ -107,15 +191,39 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     clock_(),
     view_(),
     events_(),
+    timeStart_(-VGREAT),
     timeEnd_(VGREAT),
+    triggered_(false),
     ownWriteControl_(false),
+    beginTime_(runTime.value()),
+    beginTimeIndex_(runTime.timeIndex()),
+    keptTimeIndex_(-1),
     writtenTimeIndex_(-1),
     executedTimeIndex_(-1),
-    jumped_(0)
+    jumped_(0),
+    keeper_()
 {
-    read(dict);
-    readState(dict);
-    view_->begin();
+    if (runTime.timeIndex() == runTime.startTimeIndex())
+    {
+        read(dict);
+        return;
+    }
+
+    // Added while the run goes on. OpenFOAM ends a run for wrong input; after
+    // any other error it says so and goes on without the function object
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        read(dict);
+        FatalIOError.throwExceptions(throwing);
+    }
+    catch (const Foam::IOerror& err)
+    {
+        FatalIOError.throwExceptions(throwing);
+        FatalErrorInFunction
+            << err.message().c_str() << nl << "file: " << err.ioFileName()
+            << nl << "This run goes on without " << name << exit(FatalError);
+    }
 }
 
 
@@ -126,92 +234,40 @@ bool Foam::functionObjects::particleSamplingPlanes::read
     const dictionary& dict
 )
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
-    checkKeywords(dict);
+    particleSamplingPlanes* former =
+        planes_.size() ? this : samplingState::owner(time_, name());
 
-    const scalarList before(planes_.size() ? signature() : scalarList());
-
-    frame_ = samplingFrame(dict);
-
-    const label nRings = dict.get<label>("radialBins");
-    const scalar maxRadius = dict.get<scalar>("maxRadius");
-    if (nRings < 1 || maxRadius <= 0)
+    if (!former)
     {
-        FatalIOErrorInFunction(dict)
-            << "radialBins " << nRings << " must be at least 1 and maxRadius "
-            << maxRadius << " positive (in diameters)"
-            << exit(FatalIOError);
+        fvMeshFunctionObject::read(dict);
+        writeFile::read(dict);
+        checkKeywords(dict);
+        readWindow(dict);
+        begin(dict);
+        return true;
     }
-    grid_ = ringGrid
+
+    // An edit must neither end a running job nor what it has sampled
+    if (former != this)
+    {
+        takeOver(*former);
+    }
+    readWindow(dict);
+
+    WarningInFunction
+        << "The entries of " << name() << " in " << dict.name()
+        << " have changed. They are read at the start of a run: this one goes on"
+        << " as it began, but for timeStart, timeEnd, writeControl and"
+        << " writeInterval, which OpenFOAM applies at once" << endl;
+
+    // Nobody calls after timeEnd
+    if
     (
-        nRings,
-        maxRadius,
-        ringGrid::binningNames.getOrDefault
-        (
-            "binning",
-            dict,
-            ringGrid::binning::equalWidth
-        )
-    );
-
-    scalarList positions(dict.get<scalarList>("planes"));
-    sort(positions);
-    if (positions.empty())
+        time_.value() > timeEnd_ + 0.5*time_.deltaTValue()
+     && writtenTimeIndex_ != executedTimeIndex_
+    )
     {
-        FatalIOErrorInFunction(dict)
-            << "planes is empty; give at least one distance from the origin"
-            << " in diameters" << exit(FatalIOError);
-    }
-    for (label i = 1; i < positions.size(); ++i)
-    {
-        if (positions[i] == positions[i - 1])
-        {
-            FatalIOErrorInFunction(dict)
-                << "planes has " << positions[i] << " twice"
-                << exit(FatalIOError);
-        }
-    }
-
-    sizeLimits_ = dict.lookupOrDefault("sizeClasses", scalarList());
-    for (label i = 0; i < sizeLimits_.size(); ++i)
-    {
-        if (sizeLimits_.size() < 2 || (i && sizeLimits_[i] <= sizeLimits_[i - 1]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "sizeClasses " << sizeLimits_ << " must be at least two"
-                << " diameters in ascending order [m]" << exit(FatalIOError);
-        }
-    }
-
-    timeEnd_ = dict.lookupOrDefault<scalar>("timeEnd", VGREAT);
-    ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
-
-    if (before.empty())
-    {
-        positions_ = positions;
-        planes_.setSize(positions.size()*max(sizeLimits_.size(), 1));
-        forAll(planes_, i)
-        {
-            planes_[i] = samplingPlane
-            (
-                positions[i % positions.size()],
-                nRings
-            );
-        }
-
-        view_ = particleView::New(mesh_, dict.get<word>("cloud"));
-
-        if (dict.lookupOrDefault("events", false))
-        {
-            events_.reset(new crossingEvents);
-        }
-    }
-    else if (before != signature() || positions != positions_)
-    {
-        FatalIOErrorInFunction(dict)
-            << "planes, rings and axis of " << name()
-            << " cannot be changed during a run" << exit(FatalIOError);
+        publish();
     }
 
     return true;
@@ -227,20 +283,7 @@ bool Foam::functionObjects::particleSamplingPlanes::execute()
         return true;
     }
 
-    checkContinuity();
-
-    if (view_->refresh())
-    {
-        if (clock_.advance(time_.deltaTValue()))
-        {
-            for (samplingPlane& plane : planes_)
-            {
-                plane.joinBatches();
-            }
-        }
-
-        bookCrossings();
-    }
+    sample();
 
     // After timeEnd nobody calls again, so the last step inside is a time to write
     const bool last =

@@ -94,36 +94,97 @@ void Foam::functionObjects::particleSamplingPlanes::readState
     const dictionary& dict
 )
 {
-    if (dict.lookupOrDefault("reset", false) || !foundProperty("state"))
+    const bool found = samplingState::exists(time_, name(), time_.timeName());
+    const fileName file(samplingState::path(time_, name(), time_.timeName()));
+
+    if (dict.lookupOrDefault("reset", false))
     {
+        if (found || sampledBefore())
+        {
+            Log << type() << ' ' << name() << ": reset yes, begins anew and"
+                << " forgets what was sampled before" << endl;
+        }
         return;
     }
 
-    const scalarList wanted(signature());
-    const scalarList saved(getProperty<scalarList>("signature"));
-    bool same = (saved.size() == wanted.size());
-    for (label i = 0; same && i < saved.size(); ++i)
+    static const char* const remedy =
+        "remove the folder of this time, so that the run goes on from an earlier"
+        " one, or begin anew with\n    reset yes;\n";
+
+    if (!found)
     {
-        same = mag(saved[i] - wanted[i]) <= 1e-12*(1 + mag(wanted[i]));
+        if (sampledBefore())
+        {
+            FatalIOErrorInFunction(dict)
+                << "What " << name() << " has sampled before time "
+                << time_.timeName() << " is missing: there is no file " << nl
+                << "    " << file << nl
+                << "but earlier times have theirs, or postProcessing/" << name()
+                << " has tables of an earlier run." << nl
+                << "The run was probably killed while writing, or went on without "
+                << name() << ". Either " << remedy << exit(FatalIOError);
+        }
+        if (time_.value() + 0.5*time_.deltaTValue() > timeEnd_)
+        {
+            FatalIOErrorInFunction(dict)
+                << "timeEnd " << timeEnd_ << " lies before the first step after"
+                << " time " << time_.timeName() << ": nothing would be sampled"
+                << exit(FatalIOError);
+        }
+        return;
     }
 
-    const scalarList state(getProperty<scalarList>("state"));
-    const scalarList clock(getProperty<scalarList>("clock"));
-    if (!same || clock.size() != batchClock::packedSize)
+    samplingState::numbers saved;
+    if
+    (
+        !samplingState::read(time_, name(), saved)
+     || saved.clock.size() != batchClock::packedSize
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "What " << name() << " has sampled before time "
+            << time_.timeName() << " cannot be read: the file" << nl
+            << "    " << file << nl
+            << "is cut short. The run was probably killed while writing. Either "
+            << remedy << exit(FatalIOError);
+    }
+
+    if (mag(saved.time - time_.value()) > 0.5*time_.deltaTValue())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The file" << nl << "    " << file << nl << "holds what "
+            << name() << " had sampled up to time " << saved.time
+            << ", not " << time_.timeName() << ". Remove it, or begin anew with"
+            << nl << "    reset yes;" << exit(FatalIOError);
+    }
+
+    const scalarList wanted(signature());
+    bool same = (saved.signature.size() == wanted.size());
+    for (label i = 0; same && i < wanted.size(); ++i)
+    {
+        same =
+            mag(saved.signature[i] - wanted[i]) <= 1e-12*(1 + mag(wanted[i]));
+    }
+    label size = 0;
+    for (const samplingPlane& plane : planes_)
+    {
+        size += plane.packedSize();
+    }
+    if (!same || saved.state.size() != size)
     {
         FatalIOErrorInFunction(dict)
             << "What " << name() << " sampled before the restart has other"
-            << " planes, rings or another axis. Give back the former ones,"
-            << " or begin anew with" << nl << "    reset yes;"
+            << " planes, rings or another axis (" << file << "). Give back the"
+            << " former ones, or begin anew with" << nl << "    reset yes;"
             << exit(FatalIOError);
     }
 
-    clock_.unpack(clock.begin());
+    clock_.unpack(saved.clock.begin());
 
     // The saved numbers are those of all ranks together
     if (Pstream::master())
     {
-        const scalar* next = state.begin();
+        const scalar* next = saved.state.begin();
         for (samplingPlane& plane : planes_)
         {
             plane.unpack(next);
@@ -136,30 +197,68 @@ void Foam::functionObjects::particleSamplingPlanes::readState
 }
 
 
+void Foam::functionObjects::particleSamplingPlanes::keepState()
+{
+    const scalar margin = 0.5*time_.deltaTValue();
+    const bool inWindow =
+    (
+        time_.timeIndex() > beginTimeIndex_
+     && time_.value() >= timeStart_ - margin
+     && time_.value() <= timeEnd_ + margin
+    );
+
+    // The step is over, though the function object is executed later. Whether
+    // it will be at all is not known with triggers: then publish() writes again
+    if (inWindow && !triggered_)
+    {
+        sample();
+    }
+
+    writeState(combinedState());
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::writeState
+(
+    const scalarList& combined
+)
+{
+    scalarList clock(batchClock::packedSize);
+    clock_.pack(clock.begin());
+
+    samplingState::write
+    (
+        time_,
+        name(),
+        {time_.value(), signature(), clock, combined}
+    );
+    keptTimeIndex_ = time_.timeIndex();
+}
+
+
+Foam::fileName Foam::functionObjects::particleSamplingPlanes::folder() const
+{
+    return baseFileDir()/name()/Time::timeName(beginTime_);
+}
+
+
 void Foam::functionObjects::particleSamplingPlanes::publish()
 {
     const scalarList combined(combinedState());
 
-    scalarList clock(batchClock::packedSize);
-    clock_.pack(clock.begin());
-
-    setProperty("state", combined);
-    setProperty("clock", clock);
-    setProperty("signature", signature());
-
-    const fileName folder
-    (
-        baseFileDir()/name()/Time::timeName(time_.startTime().value())
-    );
+    if (keptTimeIndex_ == time_.timeIndex() && triggered_)
+    {
+        writeState(combined);
+    }
 
     if (Pstream::master())
     {
-        mkDir(folder);
+        mkDir(folder());
         writeTables(combined);
     }
     if (events_.valid())
     {
-        events_->write(folder/"events.dat");
+        events_->write(folder()/"events.dat");
     }
 
     const label jumped = returnReduce(jumped_, sumOp<label>());
@@ -193,11 +292,6 @@ void Foam::functionObjects::particleSamplingPlanes::writeTables
     const scalarList& combined
 ) const
 {
-    const fileName folder
-    (
-        baseFileDir()/name()/Time::timeName(time_.startTime().value())
-    );
-
     Log << type() << ' ' << name() << ": crossings";
 
     const label nPositions = positions_.size();
@@ -208,7 +302,7 @@ void Foam::functionObjects::particleSamplingPlanes::writeTables
         whole.unpack(next);
         next += whole.packedSize();
 
-        OFstream os(folder/tableName(i));
+        OFstream os(folder()/tableName(i));
         os.precision(writePrecision_ > 10 ? writePrecision_ : 10);
         os  << "# " << type() << ' ' << name() << ", time = "
             << time_.timeName() << " s";
@@ -224,6 +318,12 @@ void Foam::functionObjects::particleSamplingPlanes::writeTables
         }
         os  << nl;
         whole.writeTable(os, grid_, frame_.diameter(), clock_);
+
+        if (!os.good())
+        {
+            WarningInFunction
+                << "The table " << os.name() << " could not be written" << endl;
+        }
     }
 
     Log << " in " << clock_.total() << " s sampled" << endl;

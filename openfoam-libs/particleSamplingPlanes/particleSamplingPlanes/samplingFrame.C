@@ -24,7 +24,9 @@ Foam::samplingFrame::samplingFrame(const dictionary& dict)
     axisPerDiameter_(Zero),
     diameter_(dict.get<scalar>("diameter"))
 {
-    if (mag(axis_) < SMALL)
+    // Scaled first, for lengths whose square is no number
+    const scalar largest = cmptMax(cmptMag(axis_));
+    if (!(largest > 0))
     {
         FatalIOErrorInFunction(dict)
             << "axis " << axis_ << " has no direction;"
@@ -32,13 +34,21 @@ Foam::samplingFrame::samplingFrame(const dictionary& dict)
             << exit(FatalIOError);
     }
 
-    if (diameter_ <= 0)
+    if (!(diameter_ >= 1e-9 && diameter_ <= 1e6))
     {
         FatalIOErrorInFunction(dict)
-            << "diameter " << diameter_ << " must be positive [m]"
+            << "diameter " << diameter_ << " must lie between 1e-9 and 1e6 m"
             << exit(FatalIOError);
     }
 
+    if (!(cmptMax(cmptMag(origin_)) <= 1e9))
+    {
+        FatalIOErrorInFunction(dict)
+            << "origin " << origin_ << " is too far away: coordinates in m, at"
+            << " most 1e9" << exit(FatalIOError);
+    }
+
+    axis_ /= largest;
     axis_ /= mag(axis_);
     axisPerDiameter_ = axis_/diameter_;
 }

@@ -25,8 +25,10 @@ const Foam::cloud& Foam::cloudParticleView::lookupCloud() const
     {
         FatalErrorInFunction
             << "No cloud " << cloudName_ << " on mesh " << mesh_.name()
-            << " to sample. Clouds there: " << mesh_.sortedNames<cloud>()
-            << nl << "    Give one of them as entry cloud of the function object"
+            << " to sample. Clouds there: "
+            << flatOutput(mesh_.sortedNames<cloud>()) << nl
+            << "    Give one of them as entry cloud of the function object. A"
+            << " cloud made by another function object must stand before it"
             << exit(FatalError);
     }
 
@@ -135,7 +137,9 @@ Foam::cloudParticleView::cloudParticleView
 
 void Foam::cloudParticleView::begin()
 {
-    if (mesh_.foundObject<cloud>(cloudName_) && !needsPositionOld())
+    lookupCloud();
+
+    if (!needsPositionOld())
     {
         List<scalar> age;
         if (!readCloud(age))

@@ -66,13 +66,13 @@ def sampling(**changes):
         f"{key} {value};" for key, value in entries.items() if value is not None) + " }"
 
 
-def control(folder, end, start="startTime", functions=None, interval=20):
+def control(folder, end, start="startTime", functions=None, interval=20, extra="runTimeModifiable no;"):
     functions = sampling() if functions is None else functions
     (folder/"system/controlDict").write_text(
         HEADER.format("dictionary", "controlDict")
         + f"startFrom {start}; startTime 0; stopAt endTime; endTime {end}; deltaT {DT};\n"
         + f"writeControl timeStep; writeInterval {interval}; writeFormat binary; writePrecision 12;\n"
-        + f"timePrecision 8; runTimeModifiable no;\nfunctions {{ {functions} }}\n")
+        + f"timePrecision 8; {extra}\nfunctions {{ {functions} }}\n")
 
 
 def write(folder, end, cut="(1 1 2)", **options):

@@ -190,30 +190,6 @@ class Sampling(grainjet.Case):
         self.assertIn("only be seen during the run", result.output)
         self.assertEqual(profile.read_bytes(), before)
 
-    def assertRefused(self, words, **changes):
-        stream.control(self.folder, END, functions=stream.sampling(**changes))
-        self.assertFails(self.foam("icoUncoupledKinematicParcelFoam", check=False), *words)
-
-    def test_bad_input(self):
-        stream.write(self.folder, END)
-        self.foam("blockMesh")
-        for words, changes in (
-                (("planes is empty",), {"planes": "()"}),
-                (("planes has 1 twice",), {"planes": "(1 2 1)"}),
-                (("radialBins 0",), {"radialBins": 0}),
-                (("maxRadius -1",), {"maxRadius": -1}),
-                (("diameter 0",), {"diameter": 0}),
-                (("axis (0 0 0)",), {"axis": "(0 0 0)"}),
-                (("sizeClasses", "ascending"), {"sizeClasses": "(2e-3 1e-3)"}),
-                (("'origin' not found",), {"origin": None}),
-                (("binning", "equalWidth", "equalArea"), {"binning": "equal"}),
-                (("Unknown entry maxRadus", "maxRadius"), {"maxRadus": 3}),
-                (("executeControl",), {"executeControl": "writeTime"}),
-                (("No cloud nobody", "kinematicCloud"), {"cloud": "nobody"}),
-                (("No cloud liggghts", "kinematicCloud"), {"cloud": "liggghts"})):
-            with self.subTest(changes):
-                self.assertRefused(words, **changes)
-
 
 if __name__ == "__main__":
     unittest.main()
