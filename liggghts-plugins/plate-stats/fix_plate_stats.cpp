@@ -14,6 +14,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -113,16 +114,15 @@ void FixPlateStats::parse(int narg, char **arg)
       for (double &x : centre) x = length(arguments, "coordinates x y z after 'centre'");
       hasCentre = true;
     } else if (keyword == "normal") {
-      for (double &x : normal) x = arguments.number("components nx ny nz after 'normal'");
+      for (double &x : normal) x = arguments.number("components nx ny nz after 'normal'", -DBL_MAX, DBL_MAX);
       hasNormal = true;
     } else if (keyword == "radius") {
-      radius = arguments.positive("radius");
-      if (!(radius < FAR)) arguments.fail("radius must be below 1e30 m");
+      radius = arguments.positive("radius", 0.0, FAR);
     } else if (keyword == "rings") rings = whole(arguments, "rings", MOST_RINGS);
     else if (keyword == "every") every_ = whole(arguments, "every", 1e9);
     else if (keyword == "file") path_ = arguments.word("path after 'file'");
     else if (keyword == "events") eventsPath_ = arguments.word("path after 'events'");
-    else if (keyword == "stats_start") start_ = arguments.nonNegative("stats_start");
+    else if (keyword == "stats_start") start_ = arguments.nonNegative("stats_start", DBL_MAX);
     else
       arguments.fail("unknown keyword '" + keyword + "'; valid keywords are wall, centre, "
         "normal, radius, rings, every, file, events, stats_start");
