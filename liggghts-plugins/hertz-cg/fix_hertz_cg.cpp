@@ -37,7 +37,7 @@ FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), tangential_(true), rolling_(false), timestep_fraction_(0.0),
   timestep_error_(false), overlap_fraction_(0.1), search_(lmp), pairs_valid_(false),
   store_current_(true), forces_restarted_(false), rmax_(0.0), margin_(0.0),
-  pairs_per_grain_(-1.0), search_step_(0), freeze_bit_(0), collisions_(0.0),
+  pairs_per_grain_(-1.0), search_step_(0), expired_(false), freeze_bit_(0), collisions_(0.0),
   deep_(0.0), deepest_(0.0), deep_reported_(0.0), work_(0.0), found_(0.0), reduced_step_(-1)
 {
   parse(narg, arg);
@@ -136,23 +136,26 @@ void FixHertzCg::init()
     if (strcmp(modify->fix[i]->style, "freeze") == 0) freeze_bit_ |= modify->fix[i]->groupbit;
 
   // also of grains that are still to be inserted
-  double radius = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i) radius = std::max(radius, atom->radius[i]);
+  std::vector<double> radius(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; ++i)
+    radius[atom->type[i]] = std::max(radius[atom->type[i]], atom->radius[i]);
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->use_rad_for_cut_neigh_and_ghost())
       for (int type = 1; type <= atom->ntypes; ++type)
-        radius = std::max(radius, modify->fix[i]->max_rad(type));
-  MPI_Allreduce(&radius, &rmax_, 1, MPI_DOUBLE, MPI_MAX, world);
+        radius[type] = std::max(radius[type], modify->fix[i]->max_rad(type));
+  MPI_Allreduce(MPI_IN_PLACE, radius.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
+  rmax_ = *std::max_element(radius.begin(), radius.end());
   check_sizes();
 
   walls_ = grainjet::find_walls(lmp);
-  search_.choose(2.0 * rmax_, packing(), walls_);
+  search_.choose(radius, packing(), walls_);
 
   if (comm->me == 0)
     for (FILE *out : {screen, logfile})
       if (out)
-        fprintf(out, "Fix %s (hertz/cg) searches up to %g beyond contact, walls list grains up to %g; "
-                "`neighbor` and `neigh_modify delay` do not matter\n", id, search_.reach(), search_.skin());
+        fprintf(out, "Fix %s (hertz/cg) searches up to %g beyond contact, walls list grains up to %g at first; "
+                "`neighbor` limits the latter for mesh walls, `neigh_modify delay` does not matter\n",
+                id, search_.reach(), search_.skin());
 
   // A list that is never built: being handed it is the only call back from the host between
   // the moment it works out its cut-off (which the pair style would give) and its first use
@@ -168,7 +171,8 @@ void FixHertzCg::init_list(int, NeighList *)
 {
   // undefined until the host's neighbour lists are initialised, which is now
   if (neighbor->exclude_setting())
-    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; use its group instead");
+    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; say `neigh_modify exclude none` "
+                     "and give the fix a group: only grains of it touch each other");
   search_.set_cutoff();
 }
 
@@ -207,14 +211,10 @@ void FixHertzCg::check_host()
 
 void FixHertzCg::check_sizes()
 {
-  double width = HUGE_VAL, smallest;
-  for (int d = 0; d < 3; ++d)
-    if (comm->procgrid[d] > 1 || domain->periodicity[d])
-      width = std::min(width, domain->subhi[d] - domain->sublo[d]);
-  MPI_Allreduce(&width, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+  const double smallest = search_.narrowest();
   if (2.0 * rmax_ <= smallest) return;
   std::ostringstream message;
-  message << "grains of diameter " << 2.0 * rmax_ << " are larger than a rank's part of the box, "
+  message << "grains of diameter " << 2.0 * rmax_ << " are larger than a rank's part of the box, or than a periodic box, "
           << smallest << "; use fewer ranks, `processors`, or a larger box";
   error->fix_error(FLERR, this, message.str().c_str());
 }
@@ -226,6 +226,7 @@ void FixHertzCg::check_sizes()
 
 double FixHertzCg::packing() const
 {
+  if (rmax_ <= 0.0) return 0.0;
   const double cube = 16.0 * rmax_;
   double sum[2] = {0.0, 0.0};
   std::vector<std::array<std::int64_t, 3>> cubes(atom->nlocal);

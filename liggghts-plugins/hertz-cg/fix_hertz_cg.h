@@ -106,6 +106,7 @@ class FixHertzCg : public Fix {
   double margin_;          // m, of the present list
   double pairs_per_grain_; // of the present list
   bigint search_step_;     // when it was made
+  bool expired_;           // the next one is due because its margin is used up
   int freeze_bit_;
   grainjet::WallAxes walls_;
 
@@ -125,6 +126,7 @@ class FixHertzCg : public Fix {
   double packing() const;
 
   void search();
+  void check_grains();
   void choose_margin(const double velocity[3]);
   void stream_velocity(double velocity[3]) const;
   void start_motion(const double velocity[3]);

@@ -166,7 +166,7 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, SKIN, SORT_BIN, NSAVED };
 
 }
 
@@ -179,7 +179,7 @@ void FixHertzCg::write_restart(FILE *fp)
   if (comm->me) return;
 
   double list[NSAVED];
-  list[VERSION] = 1.0;
+  list[VERSION] = 2.0;
   list[FACTOR] = force->cg(1);
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
@@ -188,9 +188,12 @@ void FixHertzCg::write_restart(FILE *fp)
   list[FOUND] = sum[3];
   // between runs the next one works out forces anew; in the middle of one it goes on with them
   list[IN_RUN] = update->whichflag ? 1.0 : 0.0;
-  list[REACH] = search_.reach();
+  const grainjet::SearchSettings::Lengths lengths = search_.lengths();
+  list[REACH] = lengths.reach;
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
+  list[SKIN] = lengths.skin;
+  list[SORT_BIN] = lengths.sortBin;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list, sizeof(double), NSAVED, fp);
@@ -202,7 +205,7 @@ void FixHertzCg::restart(char *buf)
 {
   double list[NSAVED];
   memcpy(list, buf, sizeof(list));
-  if (list[VERSION] != 1.0)
+  if (list[VERSION] != 2.0)
     error->fix_error(FLERR, this, "the restart file was written by another version of this fix");
   if (list[FACTOR] != force->cg(1)) {
     std::ostringstream message;
@@ -218,7 +221,11 @@ void FixHertzCg::restart(char *buf)
   found_ = first ? list[FOUND] : 0.0;
   forces_restarted_ = list[IN_RUN] != 0.0;
   // a run that starts anew chooses its reach anew, here as there
-  if (forces_restarted_) search_.keep(list[REACH]);
+  grainjet::SearchSettings::Lengths lengths;
+  lengths.reach = list[REACH];
+  lengths.skin = list[SKIN];
+  lengths.sortBin = list[SORT_BIN];
+  if (forces_restarted_) search_.keep(lengths);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
 }

@@ -18,7 +18,9 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -30,19 +32,25 @@ using namespace LAMMPS_NS;
 void FixHertzCg::post_integrate()
 {
   const double time = (update->ntimestep - search_step_) * update->dt;
-  enum { FRESH, EXPIRED, FAILED };
-  int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time) ? EXPIRED : FRESH;
-  if (!failure_.empty()) state = FAILED;
+  const int failed = grainjet::StreamMotion::RELATIVE + 1;
+  int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
+  if (!failure_.empty()) state = failed;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &state, 1, MPI_INT, MPI_MAX, world);
-  if (state == FAILED) report_failure();
-  if (state == EXPIRED) next_reneighbor = update->ntimestep;
+  if (state == failed) report_failure();
+  if (state != grainjet::StreamMotion::FRESH) next_reneighbor = update->ntimestep;
+  expired_ = state == grainjet::StreamMotion::RELATIVE;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   The host hands out its list, and forgets its cut-offs, only when what is asked of it has changed
+------------------------------------------------------------------------- */
 
 void FixHertzCg::setup_pre_exchange()
 {
-  pre_exchange();
+  search_.set_cutoff();
+  save_contacts();
+  pairs_valid_ = false;
+  check_grains();
 }
 
 /* ----------------------------------------------------------------------
@@ -54,8 +62,44 @@ void FixHertzCg::pre_exchange()
 {
   save_contacts();
   pairs_valid_ = false;
+  check_grains();
   if (update->whichflag && output->restart_requested(update->ntimestep))
     atom->nextsort = update->ntimestep;
+  if (search_.adapt(pairs_per_grain_, margin_)) {
+    comm->setup();
+    if (neighbor->style) neighbor->setup_bins();
+  }
+}
+
+/* ----------------------------------------------------------------------
+   The host changes a grain's rank for a neighbouring one, or sends it round the box once; it loses,
+   without a word, what has got further. Where a grain just leaves through an open side, that is right.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::check_grains()
+{
+  const double fastest = 1e100;    // m/s, the square of which is still a number
+  for (int i = 0; i < atom->nlocal && failure_.empty(); ++i) {
+    const double *x = atom->x[i], *v = atom->v[i];
+    bool lost = false, finite = true;
+    for (int d = 0; d < 3; ++d) {
+      finite &= std::isfinite(x[d]) && std::fabs(v[d]) < fastest;
+      if (search_.part(d) == HUGE_VAL) continue;
+      const double lo = domain->boxlo[d], hi = domain->boxhi[d];
+      if (domain->periodicity[d]) lost |= x[d] < lo - domain->prd[d] || x[d] >= hi + domain->prd[d];
+      else if (x[d] < lo || x[d] >= hi) continue;
+      const double part = domain->subhi[d] - domain->sublo[d];
+      if (comm->procgrid[d] > 2) lost |= x[d] < domain->sublo[d] - part || x[d] >= domain->subhi[d] + part;
+    }
+    if (finite && !lost) continue;
+    std::ostringstream message;
+    message << "grain " << atom->tag[i] << " has "
+            << (finite ? "got further than into the next part of the box" : "no finite position or velocity")
+            << ": position " << x[0] << " " << x[1] << " " << x[2] << ", velocity " << v[0] << " " << v[1] << " " << v[2]
+            << ", step " << update->ntimestep << "; use a smaller time step, and look for grains that overlap or are far too fast";
+    fail(message.str());
+  }
+  report_failure();
 }
 
 /* ----------------------------------------------------------------------
@@ -77,6 +121,7 @@ void FixHertzCg::save_contacts()
 
 void FixHertzCg::setup_pre_neighbor()
 {
+  expired_ = true;
   search();
 }
 
@@ -93,7 +138,8 @@ void FixHertzCg::search()
 {
   double velocity[3];
   stream_velocity(velocity);
-  choose_margin(velocity);
+  // a run continued from the middle of another one goes on with that one's list
+  if (!forces_restarted_) choose_margin(velocity);
 
   const int nall = atom->nlocal + atom->nghost;
   grainjet::ContactPairs::Grains grains;
@@ -108,9 +154,14 @@ void FixHertzCg::search()
   if (!pairs_.build(grains, margin_, store_))
     fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
          + " has no finite position");
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->radius[i] > rmax_)
-      fail("grain " + std::to_string(atom->tag[i]) + " is larger than the largest known at the start of the run");
+  for (int i = 0; i < atom->nlocal && failure_.empty(); ++i)
+    if (!search_.known(atom->type[i], atom->radius[i])) {
+      std::ostringstream message;
+      message << "grain " << atom->tag[i] << " of diameter " << 2.0 * atom->radius[i]
+              << " is larger than the largest known at the start of the run; change sizes and types between runs, "
+              << "and do not begin the next one with `pre no`";
+      fail(message.str());
+    }
   report_failure();
   pairs_valid_ = true;
 
@@ -177,7 +228,8 @@ void FixHertzCg::choose_margin(const double velocity[3])
 
   grainjet::MarginChoice choice;
   choice.diameter = 2.0 * rmax_;
-  choice.largest = search_.reach();
+  // none so wide that the limit along the stream is used up from the start
+  choice.largest = std::min(search_.reach(), 0.5 * search_.narrowest());
   choice.pairs = pairs_per_grain_;
   choice.with = margin_;
   choice.displacement = std::sqrt(fastest) * update->dt;
@@ -186,6 +238,14 @@ void FixHertzCg::choose_margin(const double velocity[3])
     choice.pairs = 4.0 * packing();
     choice.with = 0.0;
   }
+  if (walls_.mesh) {
+    // lists of triangles are made at each search as well (measured, in visits of a listed pair)
+    double count[2] = {grainjet::count_triangles(lmp), static_cast<double>(atom->nlocal)};
+    MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
+    choice.search += (walls_.moving ? 300.0 : 40.0) * count[0] / std::max(count[1], 1.0);
+  }
+  // a wall, a moving mesh or an insertion asked for this search, not the margin; and will again
+  if (!expired_ && update->ntimestep > search_step_) choice.forced = 1.0 / (update->ntimestep - search_step_);
   margin_ = choice.best();
 }
 
@@ -195,14 +255,12 @@ void FixHertzCg::start_motion(const double velocity[3])
 {
   grainjet::StreamMotion::Limits limits;
   limits.relative = 0.5 * margin_;
-  limits.wall = walls_.any ? walls_.reach * search_.skin() : 0.0;
+  limits.wall = walls_.any ? std::max(walls_.reach * search_.skin(), DBL_MIN) : 0.0;
   for (int d = 0; d < 3; ++d) {
     limits.wallAxes[d] = walls_.axis[d];
     // grains go round, change rank or leave through an open end only at a search: none may get
     // far beyond the box before, nor pass a whole rank
-    limits.stream[d] = std::max(20.0 * rmax_, search_.reach());
-    if (domain->periodicity[d] || comm->procgrid[d] > 1)
-      limits.stream[d] = std::min(limits.stream[d], 0.5 * (domain->subhi[d] - domain->sublo[d]));
+    limits.stream[d] = std::min(std::max(20.0 * rmax_, search_.reach()), 0.5 * search_.part(d));
   }
   motion_.start(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, velocity, limits);
 }

@@ -30,10 +30,14 @@ struct Expose {
 struct BinSizeFlag { typedef int Neighbor::*type; friend type member(BinSizeFlag); };
 struct BinSize { typedef double Neighbor::*type; friend type member(BinSize); };
 struct SortBinSize { typedef double Atom::*type; friend type member(SortBinSize); };
+struct CommStyle { typedef int Comm::*type; friend type member(CommStyle); };
+struct BorderGroup { typedef int Comm::*type; friend type member(BorderGroup); };
 
 template struct Expose<BinSizeFlag, &Neighbor::binsizeflag>;
 template struct Expose<BinSize, &Neighbor::binsize_user>;
 template struct Expose<SortBinSize, &Atom::userbinsize>;
+template struct Expose<CommStyle, &Comm::style>;
+template struct Expose<BorderGroup, &Comm::bordergroup>;
 
 // never reached by the counter of steps since the last search; the host wants a multiple of `every`
 int never(int every)
@@ -45,44 +49,117 @@ int never(int every)
 
 /* ---------------------------------------------------------------------- */
 
-void SearchSettings::choose(double diameter, double packing, const WallAxes &walls)
+void SearchSettings::choose(const std::vector<double> &radius, double packing, const WallAxes &walls)
 {
   Neighbor *neighbor = lmp_->neighbor;
   if (!taken_ || neighbor->skin != skin_) userSkin_ = neighbor->skin;
   if (!taken_ || neighbor->delay != never(neighbor->every)) userDelay_ = neighbor->delay;
   taken_ = true;
 
-  // The more dilute, the wider: a search costs the same however few pairs it finds. Two
-  // diameters where nothing is there yet to judge by.
-  diameter_ = diameter;
+  radius_ = radius;
+  diameter_ = 2.0 * *std::max_element(radius.begin(), radius.end());
+  walls_ = walls;
+  const bool kept = kept_.reach > 0.0;
+  reach_ = kept ? kept_.reach : width(packing) * diameter_;
+  // an empty box in which no grains are announced; the next run chooses anew
+  if (reach_ <= 0.0) reach_ = userSkin_;
+  largestSkin_ = kept ? kept_.skin : HUGE_VAL;
+  choose_skin();
+  largestSkin_ = skin_;
+
+  neighbor->delay = never(neighbor->every);
+  choose_bins();
+  choose_sorting();
+  kept_ = Lengths();
+}
+
+/* ----------------------------------------------------------------------
+   pairs ~ 4 packing (1 + margin/diameter)^3, in a random arrangement. A change is worth its set-up
+   only if it is large
+------------------------------------------------------------------------- */
+
+bool SearchSettings::adapt(double pairs, double margin)
+{
+  if (pairs < 0.0 || diameter_ <= 0.0) return false;
+  const double shell = 1.0 + margin / diameter_;
+  const double wanted = width(0.25 * pairs / (shell * shell * shell)) * diameter_;
+  if (wanted > 0.7 * reach_ && wanted < 1.4 * reach_) return false;
+  reach_ = wanted;
+  choose_skin();
+  choose_bins();
+  set_cutoff();
+  return true;
+}
+
+/* ----------------------------------------------------------------------
+   The reach in diameters. The more dilute, the wider: a search costs the same however few pairs
+   it finds. Two diameters where nothing is there yet to judge by.
+------------------------------------------------------------------------- */
+
+double SearchSettings::width(double packing) const
+{
   double width = 2.0;
   if (packing > 0.0) width = std::min(std::max(std::cbrt(1.0 + 0.25 / packing) - 1.0, 0.2), 3.0);
-  reach_ = kept_ > 0.0 ? kept_ : width * diameter;
-  kept_ = 0.0;
-  if (reach_ <= 0.0) reach_ = userSkin_;
-  // so much that walls hardly ever ask for a search before two grains do, nor need a look of their own
-  skin_ = 0.55 * reach_ / walls.reach;
+  if (diameter_ <= 0.0) return width;
+  // lists of triangles make searches dear; then as wide as the stock pair style would go
+  if (walls_.mesh) width = std::max(width, std::min(userSkin_ / diameter_, 1.0));
+  // no grain's own images, and no ghosts of ghosts, only to search less often
+  return std::min(width, std::max(0.2, 0.5 * narrowest() / diameter_));
+}
 
-  neighbor->skin = skin_;
-  neighbor->delay = never(neighbor->every);
-  choose_bins(walls.mesh);
-  choose_sorting();
+/* ----------------------------------------------------------------------
+   so much that walls hardly ever ask for a search before two grains do, nor need a look of their own
+------------------------------------------------------------------------- */
+
+void SearchSettings::choose_skin()
+{
+  skin_ = 0.55 * reach_ / walls_.reach;
+  // not so little, `neighbor 0` for one, that every step is a search
+  const double limit = std::max(std::min(userSkin_, largestSkin_), 0.02 * diameter_);
+  if (walls_.mesh) skin_ = std::min(skin_, limit);
+  lmp_->neighbor->skin = skin_;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double SearchSettings::part(int d) const
+{
+  const Domain *domain = lmp_->domain;
+  if (domain->dimension == 2 && d == 2) return HUGE_VAL;
+  if (!domain->periodicity[d] && lmp_->comm->procgrid[d] == 1) return HUGE_VAL;
+  return domain->prd[d] / lmp_->comm->procgrid[d];
+}
+
+/* ---------------------------------------------------------------------- */
+
+int SearchSettings::ghost_group() const
+{
+  return lmp_->comm->*member(BorderGroup());
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool SearchSettings::known(int type, double radius) const
+{
+  if (2.0 * radius > diameter_) return false;
+  const bool multi = lmp_->comm->*member(CommStyle()) != 0;
+  return !multi || radius <= radius_[type];
 }
 
 /* ----------------------------------------------------------------------
    bins serve mesh walls only: about as many as there are grains
 ------------------------------------------------------------------------- */
 
-void SearchSettings::choose_bins(bool meshWalls)
+void SearchSettings::choose_bins()
 {
   Neighbor *neighbor = lmp_->neighbor;
   if (neighbor->*member(BinSizeFlag()) && !ownBins_) return;
   const double *prd = lmp_->domain->prd;
   const double thin = std::min(prd[0], std::min(prd[1], prd[2]));
   double size = thin;
-  if (meshWalls) {
+  if (walls_.mesh) {
     const double bins = 1e5 + 2.0 * lmp_->atom->natoms;
-    size = std::max(0.5 * (diameter_ + reach_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
+    size = std::max(0.5 * (diameter_ + skin_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
   }
   // the host refuses bins much larger than the box is thick
   neighbor->*member(BinSize()) = std::min(size, 50.0 * thin);
@@ -101,14 +178,31 @@ void SearchSettings::choose_sorting()
   const double *prd = lmp_->domain->prd;
   const double bins = 1e4 + 2.0 * lmp_->atom->natoms;
   size = std::max(0.5 * (diameter_ + reach_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
+  if (kept_.sortBin > 0.0) size = kept_.sortBin;
   ownSortBins_ = true;
 }
 
 /* ---------------------------------------------------------------------- */
 
+SearchSettings::Lengths SearchSettings::lengths() const
+{
+  Lengths lengths;
+  lengths.reach = reach_;
+  lengths.skin = skin_;
+  lengths.sortBin = lmp_->atom->*member(SortBinSize());
+  return lengths;
+}
+
+/* ----------------------------------------------------------------------
+   `communicate multi` goes by the types' own cut-offs alone
+------------------------------------------------------------------------- */
+
 void SearchSettings::set_cutoff() const
 {
-  lmp_->neighbor->cutneighmax = diameter_ + skin_;
+  Neighbor *neighbor = lmp_->neighbor;
+  neighbor->cutneighmax = diameter_ + skin_;
+  for (int type = 1; type <= lmp_->atom->ntypes; ++type)
+    neighbor->cuttype[type] = 0.5 * diameter_ + radius_[type] + std::max(reach_, skin_);
 }
 
 /* ---------------------------------------------------------------------- */

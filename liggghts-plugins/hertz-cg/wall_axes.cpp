@@ -16,12 +16,16 @@
 
 using namespace LAMMPS_NS;
 
-/* The one member function of the host's class that is needed. The host's own header of it cannot be
-   included, since it wants headers that are generated when LIGGGHTS is compiled.               */
+/* The one member function of each of the host's classes that is needed. The host's own headers of them
+   cannot be included, since they want headers that are generated when LIGGGHTS is compiled.     */
 namespace LAMMPS_NS {
 class FixWallGran {
  public:
   PrimitiveWall *primitiveWall();
+};
+class FixNeighlistMesh {
+ public:
+  int getSizeNumContacts();    // number of triangles, in spite of its name
 };
 }
 
@@ -31,10 +35,12 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
 {
   // primitive walls list grains up to a whole skin from contact, keep a little in hand; meshes and
   // what is stored per contact with a primitive wall go by half of it
-  WallAxes walls = {false, false, 0.9, {false, false, false}};
+  WallAxes walls = {false, false, 0.9, {false, false, false}, false};
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix *fix = lmp->modify->fix[i];
     if (strncmp(fix->style, "contactproperty/atom/wall", 25) == 0) walls.reach = 0.5;
+    if (strncmp(fix->style, "move/mesh", 9) == 0 || strstr(fix->style, "servo") || strstr(fix->style, "6dof"))
+      walls.moving = true;
     if (strncmp(fix->style, "neighlist/mesh", 14) == 0) {
       walls.reach = 0.5;
       walls.any = walls.mesh = walls.axis[0] = walls.axis[1] = walls.axis[2] = true;
@@ -51,4 +57,15 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
       if (d != primitive->axis() && delta[d] != 0.0) walls.axis[d] = true;
   }
   return walls;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double grainjet::count_triangles(LAMMPS *lmp)
+{
+  double sum = 0.0;
+  for (int i = 0; i < lmp->modify->nfix; ++i)
+    if (strcmp(lmp->modify->fix[i]->style, "neighlist/mesh") == 0)
+      sum += reinterpret_cast<FixNeighlistMesh *>(lmp->modify->fix[i])->getSizeNumContacts();
+  return sum;
 }

@@ -18,9 +18,13 @@ struct WallAxes {
   bool mesh;       // is one of them a mesh, whose triangles may face anywhere?
   double reach;    // how far a grain may come nearer before lists are stale, in units of the skin
   bool axis[3];    // directions x, y, z that some wall's normal may have a part in
+  bool moving;     // does a mesh move?
 };
 
 WallAxes find_walls(LAMMPS_NS::LAMMPS *lmp);
+
+// triangles of mesh walls on this rank, also those shared with others
+double count_triangles(LAMMPS_NS::LAMMPS *lmp);
 
 }
 
