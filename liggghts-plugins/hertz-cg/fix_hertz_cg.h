@@ -107,6 +107,7 @@ class FixHertzCg : public Fix {
   double pairs_per_grain_; // of the present list
   bigint search_step_;     // when it was made
   bool expired_;           // the next one is due because its margin is used up
+  grainjet::SearchSettings::Work work_done_;
   int freeze_bit_;
   grainjet::WallAxes walls_;
 
@@ -127,6 +128,7 @@ class FixHertzCg : public Fix {
 
   void search();
   void check_grains();
+  void measure();
   void choose_margin(const double velocity[3]);
   void stream_velocity(double velocity[3]) const;
   void start_motion(const double velocity[3]);

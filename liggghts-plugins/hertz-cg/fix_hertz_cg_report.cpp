@@ -166,7 +166,7 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, SKIN, SORT_BIN, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, SKIN, LARGEST_SKIN, SORT_BIN, NSAVED };
 
 }
 
@@ -193,6 +193,7 @@ void FixHertzCg::write_restart(FILE *fp)
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
   list[SKIN] = lengths.skin;
+  list[LARGEST_SKIN] = lengths.largestSkin;
   list[SORT_BIN] = lengths.sortBin;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
@@ -224,6 +225,7 @@ void FixHertzCg::restart(char *buf)
   grainjet::SearchSettings::Lengths lengths;
   lengths.reach = list[REACH];
   lengths.skin = list[SKIN];
+  lengths.largestSkin = list[LARGEST_SKIN];
   lengths.sortBin = list[SORT_BIN];
   if (forces_restarted_) search_.keep(lengths);
   margin_ = list[MARGIN];

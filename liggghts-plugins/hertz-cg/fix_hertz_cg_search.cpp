@@ -51,6 +51,7 @@ void FixHertzCg::setup_pre_exchange()
   save_contacts();
   pairs_valid_ = false;
   check_grains();
+  measure();
 }
 
 /* ----------------------------------------------------------------------
@@ -65,10 +66,30 @@ void FixHertzCg::pre_exchange()
   check_grains();
   if (update->whichflag && output->restart_requested(update->ntimestep))
     atom->nextsort = update->ntimestep;
-  if (search_.adapt(pairs_per_grain_, margin_)) {
+  measure();
+  if (search_.adapt(work_done_)) {
     comm->setup();
     if (neighbor->style) neighbor->setup_bins();
   }
+}
+
+/* ----------------------------------------------------------------------
+   what the present list has cost
+------------------------------------------------------------------------- */
+
+void FixHertzCg::measure()
+{
+  // a search costs about as much as 60 visits of a listed pair (measured, dilute and dense); the list of a mesh
+  // costs 40 or 200 per triangle, still or moving
+  work_done_ = {pairs_per_grain_, margin_, 0.0, 60.0, 0.0};
+  if (update->ntimestep > search_step_) work_done_.searches = 1.0 / (update->ntimestep - search_step_);
+  if (!walls_.mesh) return;
+  const grainjet::MeshWork mesh = grainjet::mesh_work(lmp);
+  double sum[3] = {mesh.triangles, mesh.listed, static_cast<double>(atom->nlocal)};
+  MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPI_DOUBLE, MPI_SUM, world);
+  sum[2] = std::max(sum[2], 1.0);
+  work_done_.triangles = sum[1] / sum[2];
+  work_done_.search += (walls_.moving ? 200.0 : 40.0) * sum[0] / sum[2];
 }
 
 /* ----------------------------------------------------------------------
@@ -238,14 +259,9 @@ void FixHertzCg::choose_margin(const double velocity[3])
     choice.pairs = 4.0 * packing();
     choice.with = 0.0;
   }
-  if (walls_.mesh) {
-    // lists of triangles are made at each search as well (measured, in visits of a listed pair)
-    double count[2] = {grainjet::count_triangles(lmp), static_cast<double>(atom->nlocal)};
-    MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
-    choice.search += (walls_.moving ? 300.0 : 40.0) * count[0] / std::max(count[1], 1.0);
-  }
+  choice.search = work_done_.search;
   // a wall, a moving mesh or an insertion asked for this search, not the margin; and will again
-  if (!expired_ && update->ntimestep > search_step_) choice.forced = 1.0 / (update->ntimestep - search_step_);
+  if (!expired_) choice.forced = work_done_.searches;
   margin_ = choice.best();
 }
 

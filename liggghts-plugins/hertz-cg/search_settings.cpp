@@ -63,9 +63,9 @@ void SearchSettings::choose(const std::vector<double> &radius, double packing, c
   reach_ = kept ? kept_.reach : width(packing) * diameter_;
   // an empty box in which no grains are announced; the next run chooses anew
   if (reach_ <= 0.0) reach_ = userSkin_;
-  largestSkin_ = kept ? kept_.skin : HUGE_VAL;
-  choose_skin();
-  largestSkin_ = skin_;
+  largestSkin_ = kept ? kept_.largestSkin : HUGE_VAL;
+  limit_skin(kept ? kept_.skin : HUGE_VAL);
+  if (!kept) largestSkin_ = skin_;
 
   neighbor->delay = never(neighbor->every);
   choose_bins();
@@ -78,17 +78,38 @@ void SearchSettings::choose(const std::vector<double> &radius, double packing, c
    only if it is large
 ------------------------------------------------------------------------- */
 
-bool SearchSettings::adapt(double pairs, double margin)
+bool SearchSettings::adapt(const Work &work)
 {
-  if (pairs < 0.0 || diameter_ <= 0.0) return false;
-  const double shell = 1.0 + margin / diameter_;
-  const double wanted = width(0.25 * pairs / (shell * shell * shell)) * diameter_;
-  if (wanted > 0.7 * reach_ && wanted < 1.4 * reach_) return false;
-  reach_ = wanted;
-  choose_skin();
+  if (work.pairs < 0.0 || diameter_ <= 0.0) return false;
+  const auto far = [](double wanted, double is) { return wanted < 0.7 * is || wanted > 1.4 * is; };
+  const double shell = 1.0 + work.margin / diameter_;
+  const double reach = width(0.25 * work.pairs / (shell * shell * shell)) * diameter_;
+  const double skin = walls_.mesh ? best_skin(work) : skin_;
+  if (!far(reach, reach_) && !far(skin, skin_)) return false;
+  if (far(reach, reach_)) reach_ = reach;
+  limit_skin(skin);
   choose_bins();
   set_cutoff();
   return true;
+}
+
+/* ----------------------------------------------------------------------
+   The skin for which searches and the triangles listed cost least: searches as often as it is smaller,
+   triangles as the volume in which they lie. Not all in one step, since both are estimates.
+------------------------------------------------------------------------- */
+
+double SearchSettings::best_skin(const Work &work) const
+{
+  // a visit of a listed triangle costs as much as 6 of a listed pair of grains (measured)
+  const double triangleVisit = 6.0;
+  const double radius = 0.5 * diameter_;
+  double best = skin_, least = HUGE_VAL;
+  for (double s = 2.0 * skin_; s >= 0.45 * skin_; s *= 0.84) {
+    const double shell = (radius + s) / (radius + skin_);
+    const double cost = triangleVisit * work.triangles * shell * shell * shell + work.search * work.searches * skin_ / s;
+    if (cost < least) { best = s; least = cost; }
+  }
+  return std::min(best, largestSkin_);
 }
 
 /* ----------------------------------------------------------------------
@@ -111,12 +132,14 @@ double SearchSettings::width(double packing) const
    so much that walls hardly ever ask for a search before two grains do, nor need a look of their own
 ------------------------------------------------------------------------- */
 
-void SearchSettings::choose_skin()
+void SearchSettings::limit_skin(double skin)
 {
   skin_ = 0.55 * reach_ / walls_.reach;
-  // not so little, `neighbor 0` for one, that every step is a search
-  const double limit = std::max(std::min(userSkin_, largestSkin_), 0.02 * diameter_);
-  if (walls_.mesh) skin_ = std::min(skin_, limit);
+  if (walls_.mesh) {
+    // not so little, `neighbor 0` for one, that every step is a search
+    const double most = std::max(std::min(userSkin_, largestSkin_), 0.02 * diameter_);
+    skin_ = std::min(skin_, std::min(most, std::max(skin, 0.02 * diameter_)));
+  }
   lmp_->neighbor->skin = skin_;
 }
 
@@ -147,7 +170,8 @@ bool SearchSettings::known(int type, double radius) const
 }
 
 /* ----------------------------------------------------------------------
-   bins serve mesh walls only: about as many as there are grains
+   Bins serve mesh walls only: about as many as there are grains. A triangle looks at all bins so far
+   away as the cut-off, mostly empty ones; of half the size they would be five times as many.
 ------------------------------------------------------------------------- */
 
 void SearchSettings::choose_bins()
@@ -159,7 +183,7 @@ void SearchSettings::choose_bins()
   double size = thin;
   if (walls_.mesh) {
     const double bins = 1e5 + 2.0 * lmp_->atom->natoms;
-    size = std::max(0.5 * (diameter_ + skin_), std::cbrt(prd[0] * prd[1] * prd[2] / bins));
+    size = std::max(diameter_ + skin_, std::cbrt(prd[0] * prd[1] * prd[2] / bins));
   }
   // the host refuses bins much larger than the box is thick
   neighbor->*member(BinSize()) = std::min(size, 50.0 * thin);
@@ -189,6 +213,7 @@ SearchSettings::Lengths SearchSettings::lengths() const
   Lengths lengths;
   lengths.reach = reach_;
   lengths.skin = skin_;
+  lengths.largestSkin = largestSkin_;
   lengths.sortBin = lmp_->atom->*member(SortBinSize());
   return lengths;
 }

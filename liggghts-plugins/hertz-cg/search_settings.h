@@ -39,13 +39,22 @@ class SearchSettings {
      packing: volume fraction where grains are, 0 for none yet. */
   void choose(const std::vector<double> &radius, double packing, const WallAxes &walls);
 
-  /* Choose the reach again at a search, from the pairs per grain that were listed with a margin [m].
-     True if it has changed: the host's communication and bins are then to be set up anew. The skin
-     never grows beyond that at the start of the run, by which mesh walls share triangles among ranks. */
-  bool adapt(double pairs, double margin);
+  // What the searches and lists so far have shown
+  struct Work {
+    double pairs;       // listed per grain, negative if nothing has been listed yet
+    double margin;      // m, with which they were
+    double triangles;   // listed per grain
+    double search;      // cost of a search per grain, in visits of a listed pair
+    double searches;    // per step
+  };
+
+  /* Choose reach and skin again at a search. True if they have changed: the host's communication and bins
+     are then to be set up anew. With mesh walls the skin never grows beyond that at the start of the run,
+     by which ranks share triangles. */
+  bool adapt(const Work &work);
 
   // What a run that goes on with this one's lists, and with its grains in the same order, has to take over [m]
-  struct Lengths { double reach = 0.0, skin = 0.0, sortBin = 0.0; };
+  struct Lengths { double reach = 0.0, skin = 0.0, largestSkin = 0.0, sortBin = 0.0; };
   Lengths lengths() const;
 
   // Have the next choose() take these: those of the run that is continued
@@ -80,7 +89,8 @@ class SearchSettings {
  private:
 
   double width(double packing) const;
-  void choose_skin();
+  void limit_skin(double skin);
+  double best_skin(const Work &work) const;
   void choose_bins();
   void choose_sorting();
 

@@ -63,8 +63,7 @@ struct MarginChoice {
   double pairs;          // pairs listed per grain with the margin `with`
   double with;           // m
   double displacement;   // m per step, of the fastest grain relative to the stream
-  // cost of a search per grain, in visits of a listed pair: without mesh walls (measured, dilute and dense)
-  double search = 60.0;
+  double search = 60.0;  // cost of a search per grain, in visits of a listed pair
   double forced = 0.0;   // searches per step that come whatever the margin
 
   double best() const;

@@ -6,12 +6,14 @@
 
 #include "hertz-cg/wall_axes.h"
 
+#include "atom.h"
 #include "domain.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
 #include "primitive_wall.h"
 
+#include <cstdint>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -61,11 +63,20 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
 
 /* ---------------------------------------------------------------------- */
 
-double grainjet::count_triangles(LAMMPS *lmp)
+grainjet::MeshWork grainjet::mesh_work(LAMMPS *lmp)
 {
-  double sum = 0.0;
-  for (int i = 0; i < lmp->modify->nfix; ++i)
-    if (strcmp(lmp->modify->fix[i]->style, "neighlist/mesh") == 0)
-      sum += reinterpret_cast<FixNeighlistMesh *>(lmp->modify->fix[i])->getSizeNumContacts();
-  return sum;
+  MeshWork work = {0.0, 0.0};
+  for (int i = 0; i < lmp->modify->nfix; ++i) {
+    Fix *fix = lmp->modify->fix[i];
+    if (strcmp(fix->style, "neighlist/mesh") == 0)
+      work.triangles += reinterpret_cast<FixNeighlistMesh *>(fix)->getSizeNumContacts();
+    // the list's number of triangles of each grain, which the host keeps as the bits of an integer
+    if (strncmp(fix->id, "n_neighs_mesh_", 14) != 0 || !fix->vector_atom) continue;
+    for (int n = 0; n < lmp->atom->nlocal; ++n) {
+      std::int64_t listed;
+      memcpy(&listed, fix->vector_atom + n, sizeof(listed));
+      work.listed += static_cast<double>(listed);
+    }
+  }
+  return work;
 }

@@ -23,8 +23,13 @@ struct WallAxes {
 
 WallAxes find_walls(LAMMPS_NS::LAMMPS *lmp);
 
-// triangles of mesh walls on this rank, also those shared with others
-double count_triangles(LAMMPS_NS::LAMMPS *lmp);
+// What mesh walls cost on this rank
+struct MeshWork {
+  double triangles;   // also those shared with other ranks
+  double listed;      // pairs of grain and triangle, looked at in every step
+};
+
+MeshWork mesh_work(LAMMPS_NS::LAMMPS *lmp);
 
 }
 
