@@ -12,6 +12,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -129,7 +130,6 @@ void FixHertzCg::init()
   just_created = 0;
 
   check_host();
-  materials_.read(lmp, this, tangential_, rolling_);
 
   freeze_bit_ = 0;
   for (int i = 0; i < modify->nfix; ++i)
@@ -146,6 +146,8 @@ void FixHertzCg::init()
   MPI_Allreduce(MPI_IN_PLACE, radius.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
   rmax_ = *std::max_element(radius.begin(), radius.end());
   check_sizes();
+  // an empty box touches nothing, and the host does not know its materials
+  if (rmax_ > 0.0) materials_.read(lmp, this, tangential_, rolling_);
 
   walls_ = grainjet::find_walls(lmp);
   search_.choose(radius, packing(), walls_);
@@ -196,15 +198,26 @@ void FixHertzCg::check_host()
   if (force->nktv2p != 1.0)
     error->fix_error(FLERR, this, "needs consistent units: `units si`, cgs or lj");
   if (domain->triclinic) error->fix_error(FLERR, this, "needs an orthogonal box");
-  if (update->whichflag == 2) error->fix_error(FLERR, this, "cannot be used with minimize");
+  if (update->whichflag == 2)
+    error->fix_error(FLERR, this, "cannot be used with `minimize`; let the grains settle in a `run`, with `fix viscous`");
   if (strcmp(update->integrate_style, "respa") == 0)
     error->fix_error(FLERR, this, "needs `run_style verlet`");
   if (neighbor->build_once)
-    error->fix_error(FLERR, this, "cannot be used with `neigh_modify once yes`");
+    error->fix_error(FLERR, this, "cannot be used with `neigh_modify once yes`; leave it out: searches come when they are due");
+  if (neighbor->includegroup)
+    error->fix_error(FLERR, this, "does not know `neigh_modify include`, which leaves forces of other grains uncleared; "
+                     "say `neigh_modify include all` and give the fix the group");
+  const int ghosts = search_.ghost_group();
+  if (ghosts && groupbit != group->bitmask[ghosts]) {
+    const std::string message = std::string("would lose contacts between ranks with `communicate ... group ")
+      + group->names[ghosts] + "`; say `communicate single group all vel yes`, or give the fix this group";
+    error->fix_error(FLERR, this, message.c_str());
+  }
   if (atom->radvary_flag) error->fix_error(FLERR, this, "needs grains of constant radius");
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->box_change_size || modify->fix[i]->box_change_shape)
-      error->fix_error(FLERR, this, "needs a box that no other fix deforms");
+      error->fix_error(FLERR, this, (std::string("needs a box that no other fix deforms; remove fix ")
+                                     + modify->fix[i]->id + " (" + modify->fix[i]->style + ")").c_str());
 }
 
 /* ---------------------------------------------------------------------- */
