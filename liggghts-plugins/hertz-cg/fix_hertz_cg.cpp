@@ -197,7 +197,7 @@ void FixHertzCg::check_host()
   if (!comm->ghost_velocity) error->fix_error(FLERR, this, "needs `communicate single vel yes`");
   if (force->nktv2p != 1.0)
     error->fix_error(FLERR, this, "needs consistent units: `units si`, cgs or lj");
-  if (domain->triclinic) error->fix_error(FLERR, this, "needs an orthogonal box");
+  if (domain->triclinic) error->fix_error(FLERR, this, "needs an orthogonal box: `region ... block`, not prism");
   if (update->whichflag == 2)
     error->fix_error(FLERR, this, "cannot be used with `minimize`; let the grains settle in a `run`, with `fix viscous`");
   if (strcmp(update->integrate_style, "respa") == 0)

@@ -20,10 +20,11 @@ SAME = 1e-9
 # same way, since it sets up anew in the middle of contacts
 WORKS = {
     "communicate single": dict(ranks=(0, 2), communicate="single vel yes"),
-    "communicate multi": dict(ranks=(0, 2), communicate="multi vel yes"),
+    "communicate multi": dict(ranks=(0, 2, 4), communicate="multi vel yes"),
     "communicate single cutoff": dict(ranks=(0, 2), communicate="single cutoff 0.004 vel yes"),
     "communicate multi cutoff": dict(ranks=(0, 2), communicate="multi cutoff 0.004 vel yes"),
     "communicate multi, small cutoff": dict(ranks=(0, 2), communicate="multi cutoff 1e-5 vel yes"),
+    "newton off on": dict(head="newton off on", ranks=(2,)),
     "processors 2 1 1": dict(head="processors 2 1 1", ranks=(2,)),
     "processors * 2 *": dict(head="processors * 2 *", ranks=(2,)),
     "processors grid numa": dict(head="processors * * * grid numa", ranks=(2,)),
@@ -45,6 +46,8 @@ WORKS = {
     "atom_modify sort off": dict(head="atom_modify sort 0 0"),
     "atom_modify sort": dict(head="atom_modify sort 50 0.001"),
     "atom_modify first": dict(ranks=(0, 2), before="group half id <= 40\natom_modify first half"),
+    "units cgs": dict(own=True, head="units cgs\nsoft_particles yes"),
+    "units lj": dict(own=True, head="units lj\nsoft_particles yes"),
     "run in pieces": dict(ranks=(0, 2), run="run 500\nrun 0\nrun 0\nrun 1000"),
     "run pre no": dict(ranks=(0, 2), run="run 500\nrun 0 pre no post no\nrun 1000 pre no post no"),
     "run upto start stop": dict(run=f"run 500 start 0 stop {STEPS}\nrun {STEPS} upto"),
@@ -69,7 +72,8 @@ REFUSED = {
     "run_style respa": (dict(before="run_style respa 2 2"), "run_style verlet"),
     "minimize": (dict(run="minimize 1e-4 1e-6 10 10"), "run"),
     "deformed box": (dict(before="fix squeeze all deform 1 x scale 0.9"), "remove fix squeeze"),
-    "coarse units": (dict(head="units real"), "units si"),
+    "slanted box": (dict(run="change_box all triclinic\nrun 10"), "region ... block"),
+    "other units": (dict(head="units real"), "units si"),
 }
 
 
@@ -123,6 +127,17 @@ class SetupCommands(Case):
                     x = g.distance(expected, self.final(g.PLUGIN, ranks, **script), BOX) / LARGE
                     print(f"{label}, {ranks or 1} rank(s): differs by {x:.1e} diameters from stock")
                     self.assertLess(x, SAME)
+
+    def test_ghosts_of_the_fix_own_group(self):
+        self.data()
+        group = "group half id <= 40\natom_modify first half\n"
+        def only(communicate, ranks):
+            text = self.script(g.PLUGIN, "end", before=group + communicate).replace("fix c all", "fix c half")
+            self.liggghts(text, ranks, name="in.end")
+            return list(g.read_dump(self.folder / "dump.end").values())[-1]
+        x = g.distance(only("", 0), only("communicate single group half vel yes", 2), BOX) / LARGE
+        print(f"ghosts of a group: differs by {x:.1e} diameters from all ghosts")
+        self.assertLess(x, SAME)
 
     def test_boundaries(self):
         """Also shrink-wrapped ones. Grains outside of a fixed box are gone only at the next search, so they are
