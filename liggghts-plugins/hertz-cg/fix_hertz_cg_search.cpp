@@ -100,8 +100,18 @@ void FixHertzCg::measure()
 void FixHertzCg::check_grains()
 {
   const double fastest = 1e100;    // m/s, the square of which is still a number
+  double near[3][2];               // this rank's part and as much again on either side
+  for (int d = 0; d < 3; ++d) {
+    const double part = domain->subhi[d] - domain->sublo[d];
+    near[d][0] = domain->sublo[d] - part;
+    near[d][1] = domain->subhi[d] + part;
+  }
   for (int i = 0; i < atom->nlocal && failure_.empty(); ++i) {
     const double *x = atom->x[i], *v = atom->v[i];
+    bool usual = true;
+    for (int d = 0; d < 3; ++d) usual &= x[d] >= near[d][0] && x[d] < near[d][1] && std::fabs(v[d]) < fastest;
+    if (usual) continue;
+
     bool lost = false, finite = true;
     for (int d = 0; d < 3; ++d) {
       finite &= std::isfinite(x[d]) && std::fabs(v[d]) < fastest;
@@ -109,8 +119,7 @@ void FixHertzCg::check_grains()
       const double lo = domain->boxlo[d], hi = domain->boxhi[d];
       if (domain->periodicity[d]) lost |= x[d] < lo - domain->prd[d] || x[d] >= hi + domain->prd[d];
       else if (x[d] < lo || x[d] >= hi) continue;
-      const double part = domain->subhi[d] - domain->sublo[d];
-      if (comm->procgrid[d] > 2) lost |= x[d] < domain->sublo[d] - part || x[d] >= domain->subhi[d] + part;
+      if (comm->procgrid[d] > 2) lost |= x[d] < near[d][0] || x[d] >= near[d][1];
     }
     if (finite && !lost) continue;
     std::ostringstream message;

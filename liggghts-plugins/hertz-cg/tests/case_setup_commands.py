@@ -128,6 +128,26 @@ class SetupCommands(Case):
                     print(f"{label}, {ranks or 1} rank(s): differs by {x:.1e} diameters from stock")
                     self.assertLess(x, SAME)
 
+    def test_types_of_unlike_size(self):
+        """A large and a small grain meet across a side of the box and where two ranks meet, one of each type on either
+        side. With `multi` each type has its own cut-off, which is to reach the other type's surface."""
+        rows = [(1, 0.01, 0.05, 0.05, -1), (2, 0.09, 0.05, 0.05, 1), (1, 0.04, 0.02, 0.05, 1), (2, 0.06, 0.02, 0.05, -1),
+                (2, 0.01, 0.08, 0.05, -1), (1, 0.09, 0.08, 0.05, 1), (2, 0.04, 0.08, 0.02, 1), (1, 0.06, 0.08, 0.02, -1)]
+        sides = "".join(f"0 0.1 {a}lo {a}hi\n" for a in "xyz")
+        text = f"pairs\n\n{len(rows)} atoms\n2 atom types\n{sides}\nAtoms\n\n"
+        for i, (kind, x, y, z, _) in enumerate(rows, 1):
+            text += f"{i} {kind} {0.012 if kind == 1 else 0.003} 2500 {x} {y} {z}\n"
+        text += "\nVelocities\n\n" + "".join(f"{i} {row[4]} 0 0 0 0 0\n" for i, row in enumerate(rows, 1))
+        (self.folder / "data").write_text(text)
+        for communicate in ("single vel yes", "multi vel yes"):
+            options = dict(communicate=communicate, run="run 12000", head="processors * 1 1")
+            stock = self.final(g.STOCK, **options)
+            self.assertTrue(all(stock[i][4] * row[4] < 0 for i, row in enumerate(rows, 1) if row[0] == 2), "they have to bounce")
+            for ranks in (0, 2, 4):
+                x = g.distance(stock, self.final(g.PLUGIN, ranks, **options), 0.1) / 0.003
+                print(f"{communicate}, {ranks or 1} rank(s): differs by {x:.1e} diameters from stock")
+                self.assertLess(x, SAME)
+
     def test_ghosts_of_the_fix_own_group(self):
         self.data()
         group = "group half id <= 40\natom_modify first half\n"
