@@ -13,6 +13,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -36,8 +37,9 @@ using namespace FixConst;
 
 FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), timestep_fraction_(0.0), timestep_error_(false), overlap_fraction_(0.1),
-  search_(lmp), stand_in_(nullptr), pairs_valid_(false), store_current_(true), forces_restarted_(false), rmax_(0.0), margin_(0.0),
-  pairs_per_grain_(-1.0), search_step_(0), freeze_bit_(0), collisions_(0.0),
+  search_(lmp), stand_in_(nullptr), pairs_valid_(false), store_current_(true), forces_restarted_(false),
+  rmax_(0.0), margin_(0.0), pairs_per_grain_(-1.0), search_step_(0), expired_(false), work_done_(),
+  freeze_bit_(0), collisions_(0.0),
   deep_(0.0), deepest_(0.0), deep_reported_(0.0), work_(0.0), found_(0.0), reduced_step_(-1)
 {
   parse(narg, arg);
@@ -133,21 +135,24 @@ void FixHertzCg::init()
   } else {
     check_host();
   }
-  materials_.read(lmp, this, law_);
 
   freeze_bit_ = 0;
   for (int i = 0; i < modify->nfix; ++i)
     if (strcmp(modify->fix[i]->style, "freeze") == 0) freeze_bit_ |= modify->fix[i]->groupbit;
 
   // also of grains that are still to be inserted
-  double radius = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i) radius = std::max(radius, atom->radius[i]);
+  std::vector<double> radius(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; ++i)
+    radius[atom->type[i]] = std::max(radius[atom->type[i]], atom->radius[i]);
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->use_rad_for_cut_neigh_and_ghost())
       for (int type = 1; type <= atom->ntypes; ++type)
-        radius = std::max(radius, modify->fix[i]->max_rad(type));
-  MPI_Allreduce(&radius, &rmax_, 1, MPI_DOUBLE, MPI_MAX, world);
+        radius[type] = std::max(radius[type], modify->fix[i]->max_rad(type));
+  MPI_Allreduce(MPI_IN_PLACE, radius.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
+  rmax_ = *std::max_element(radius.begin(), radius.end());
   check_sizes();
+  // an empty box touches nothing, and the host does not know its materials
+  if (rmax_ > 0.0) materials_.read(lmp, this, law_);
 
   bool through = modify->n_fixes_style("continuum/weighted") + modify->n_fixes_style("fiber/") > 0;
   for (int i = 0; i < modify->ncompute; ++i)
@@ -155,13 +160,14 @@ void FixHertzCg::init()
   search_.require_skin(through);
 
   walls_ = grainjet::find_walls(lmp);
-  search_.choose(2.0 * rmax_, packing(), walls_);
+  search_.choose(radius, packing(), walls_);
 
   if (comm->me == 0)
     for (FILE *out : {screen, logfile})
       if (out)
-        fprintf(out, "Fix %s (hertz/cg) searches up to %g beyond contact, walls list grains up to %g; "
-                "`neighbor` and `neigh_modify delay` do not matter\n", id, search_.reach(), search_.skin());
+        fprintf(out, "Fix %s (hertz/cg) searches up to %g beyond contact, walls list grains up to %g at first; "
+                "`neighbor` limits the latter for mesh walls, `neigh_modify delay` does not matter\n",
+                id, search_.reach(), search_.skin());
 
   // A list that is never built: being handed it is the only call back from the host between
   // the moment it works out its cut-off (which the pair style would give) and its first use
@@ -177,7 +183,8 @@ void FixHertzCg::init_list(int, NeighList *)
 {
   // undefined until the host's neighbour lists are initialised, which is now
   if (neighbor->exclude_setting())
-    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; use its group instead");
+    error->fix_error(FLERR, this, "does not know `neigh_modify exclude`; say `neigh_modify exclude none` "
+                     "and give the fix a group: only grains of it touch each other");
   search_.set_cutoff();
 }
 
@@ -205,30 +212,37 @@ void FixHertzCg::check_host()
   if (!comm->ghost_velocity) error->fix_error(FLERR, this, "needs `communicate single vel yes`");
   if (force->nktv2p != 1.0)
     error->fix_error(FLERR, this, "needs consistent units: `units si`, cgs or lj");
-  if (domain->triclinic) error->fix_error(FLERR, this, "needs an orthogonal box");
-  if (update->whichflag == 2) error->fix_error(FLERR, this, "cannot be used with minimize");
+  if (domain->triclinic) error->fix_error(FLERR, this, "needs an orthogonal box: `region ... block`, not prism");
+  if (update->whichflag == 2)
+    error->fix_error(FLERR, this, "cannot be used with `minimize`; let the grains settle in a `run`, with `fix viscous`");
   if (strcmp(update->integrate_style, "respa") == 0)
     error->fix_error(FLERR, this, "needs `run_style verlet`");
   if (neighbor->build_once)
-    error->fix_error(FLERR, this, "cannot be used with `neigh_modify once yes`");
+    error->fix_error(FLERR, this, "cannot be used with `neigh_modify once yes`; leave it out: searches come when they are due");
+  if (neighbor->includegroup)
+    error->fix_error(FLERR, this, "does not know `neigh_modify include`, which leaves forces of other grains uncleared; "
+                     "say `neigh_modify include all` and give the fix the group");
+  const int ghosts = search_.ghost_group();
+  if (ghosts && groupbit != group->bitmask[ghosts]) {
+    const std::string message = std::string("would lose contacts between ranks with `communicate ... group ")
+      + group->names[ghosts] + "`; say `communicate single group all vel yes`, or give the fix this group";
+    error->fix_error(FLERR, this, message.c_str());
+  }
   if (atom->radvary_flag) error->fix_error(FLERR, this, "needs grains of constant radius");
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->box_change_size || modify->fix[i]->box_change_shape)
-      error->fix_error(FLERR, this, "needs a box that no other fix deforms");
+      error->fix_error(FLERR, this, (std::string("needs a box that no other fix deforms; remove fix ")
+                                     + modify->fix[i]->id + " (" + modify->fix[i]->style + ")").c_str());
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixHertzCg::check_sizes()
 {
-  double width = HUGE_VAL, smallest;
-  for (int d = 0; d < 3; ++d)
-    if (comm->procgrid[d] > 1 || domain->periodicity[d])
-      width = std::min(width, domain->subhi[d] - domain->sublo[d]);
-  MPI_Allreduce(&width, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+  const double smallest = search_.narrowest();
   if (2.0 * rmax_ <= smallest) return;
   std::ostringstream message;
-  message << "grains of diameter " << 2.0 * rmax_ << " are larger than a rank's part of the box, "
+  message << "grains of diameter " << 2.0 * rmax_ << " are larger than a rank's part of the box, or than a periodic box, "
           << smallest << "; use fewer ranks, `processors`, or a larger box";
   error->fix_error(FLERR, this, message.str().c_str());
 }
@@ -240,6 +254,7 @@ void FixHertzCg::check_sizes()
 
 double FixHertzCg::packing() const
 {
+  if (rmax_ <= 0.0) return 0.0;
   const double cube = 16.0 * rmax_;
   double sum[2] = {0.0, 0.0};
   std::vector<std::array<std::int64_t, 3>> cubes(atom->nlocal);

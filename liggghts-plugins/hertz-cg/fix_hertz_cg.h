@@ -121,6 +121,8 @@ class FixHertzCg : public Fix {
   double margin_;          // m, of the present list
   double pairs_per_grain_; // of the present list
   bigint search_step_;     // when it was made
+  bool expired_;           // the next one is due because its margin is used up
+  grainjet::SearchSettings::Work work_done_;
   int freeze_bit_;
   grainjet::WallAxes walls_;
 
@@ -143,6 +145,8 @@ class FixHertzCg : public Fix {
   double packing() const;
 
   void search();
+  void check_grains();
+  void measure();
   void choose_margin(const double velocity[3]);
   void stream_velocity(double velocity[3]) const;
   void start_motion(const double velocity[3]);

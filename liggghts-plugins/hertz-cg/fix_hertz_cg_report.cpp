@@ -166,7 +166,8 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, VALUES, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
+             VALUES, SKIN, LARGEST_SKIN, SORT_BIN, NSAVED };
 
 }
 
@@ -179,7 +180,7 @@ void FixHertzCg::write_restart(FILE *fp)
   if (comm->me) return;
 
   double list[NSAVED];
-  list[VERSION] = 2.0;
+  list[VERSION] = 3.0;
   list[FACTOR] = force->cg(1);
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
@@ -188,10 +189,14 @@ void FixHertzCg::write_restart(FILE *fp)
   list[FOUND] = sum[3];
   // between runs the next one works out forces anew; in the middle of one it goes on with them
   list[IN_RUN] = update->whichflag ? 1.0 : 0.0;
-  list[REACH] = search_.reach();
+  const grainjet::SearchSettings::Lengths lengths = search_.lengths();
+  list[REACH] = lengths.reach;
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
   list[VALUES] = store_.values();
+  list[SKIN] = lengths.skin;
+  list[LARGEST_SKIN] = lengths.largestSkin;
+  list[SORT_BIN] = lengths.sortBin;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list, sizeof(double), NSAVED, fp);
@@ -202,12 +207,11 @@ void FixHertzCg::write_restart(FILE *fp)
 void FixHertzCg::restart(char *buf)
 {
   double list[NSAVED];
-  memcpy(list, buf, VALUES * sizeof(double));
-  // version 1 had no rolling springs
-  list[VALUES] = 14.0;
-  if (list[VERSION] == 2.0) memcpy(list, buf, sizeof(list));
-  else if (list[VERSION] != 1.0)
-    error->fix_error(FLERR, this, "the restart file was written by another version of this fix");
+  memcpy(list, buf, sizeof(double));
+  if (list[VERSION] != 3.0)
+    error->fix_error(FLERR, this, "the restart file was written by another version of Grainjet; continue with that one, "
+                     "or write the grains with write_data or a dump and start from them");
+  memcpy(list, buf, sizeof(list));
   if (list[VALUES] != store_.values())
     error->fix_error(FLERR, this, "the restart file was written with another `rolling` model, of which contacts remember "
                      "something else; state the same one");
@@ -225,7 +229,12 @@ void FixHertzCg::restart(char *buf)
   found_ = first ? list[FOUND] : 0.0;
   forces_restarted_ = list[IN_RUN] != 0.0;
   // a run that starts anew chooses its reach anew, here as there
-  if (forces_restarted_) search_.keep(list[REACH]);
+  grainjet::SearchSettings::Lengths lengths;
+  lengths.reach = list[REACH];
+  lengths.skin = list[SKIN];
+  lengths.largestSkin = list[LARGEST_SKIN];
+  lengths.sortBin = list[SORT_BIN];
+  if (forces_restarted_) search_.keep(lengths);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
 }

@@ -19,7 +19,9 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -31,19 +33,26 @@ using namespace LAMMPS_NS;
 void FixHertzCg::post_integrate()
 {
   const double time = (update->ntimestep - search_step_) * update->dt;
-  enum { FRESH, EXPIRED, FAILED };
-  int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time) ? EXPIRED : FRESH;
-  if (!failure_.empty()) state = FAILED;
+  const int failed = grainjet::StreamMotion::RELATIVE + 1;
+  int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
+  if (!failure_.empty()) state = failed;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &state, 1, MPI_INT, MPI_MAX, world);
-  if (state == FAILED) report_failure();
-  if (state == EXPIRED) next_reneighbor = update->ntimestep;
+  if (state == failed) report_failure();
+  if (state != grainjet::StreamMotion::FRESH) next_reneighbor = update->ntimestep;
+  expired_ = state == grainjet::StreamMotion::RELATIVE;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   The host hands out its list, and forgets its cut-offs, only when what is asked of it has changed
+------------------------------------------------------------------------- */
 
 void FixHertzCg::setup_pre_exchange()
 {
-  pre_exchange();
+  search_.set_cutoff();
+  save_contacts();
+  pairs_valid_ = false;
+  check_grains();
+  measure();
 }
 
 /* ----------------------------------------------------------------------
@@ -55,8 +64,73 @@ void FixHertzCg::pre_exchange()
 {
   save_contacts();
   pairs_valid_ = false;
+  check_grains();
   if (update->whichflag && output->restart_requested(update->ntimestep))
     atom->nextsort = update->ntimestep;
+  measure();
+  if (search_.adapt(work_done_)) {
+    comm->setup();
+    if (neighbor->style) neighbor->setup_bins();
+  }
+}
+
+/* ----------------------------------------------------------------------
+   what the present list has cost
+------------------------------------------------------------------------- */
+
+void FixHertzCg::measure()
+{
+  // a search costs about as much as 60 visits of a listed pair (measured, dilute and dense); the list of a mesh
+  // costs 40 or 200 per triangle, still or moving
+  work_done_ = {pairs_per_grain_, margin_, 0.0, 60.0, 0.0};
+  if (update->ntimestep > search_step_) work_done_.searches = 1.0 / (update->ntimestep - search_step_);
+  if (!walls_.mesh) return;
+  const grainjet::MeshWork mesh = grainjet::mesh_work(lmp);
+  double sum[3] = {mesh.triangles, mesh.listed, static_cast<double>(atom->nlocal)};
+  MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPI_DOUBLE, MPI_SUM, world);
+  sum[2] = std::max(sum[2], 1.0);
+  work_done_.triangles = sum[1] / sum[2];
+  work_done_.search += (walls_.moving ? 200.0 : 40.0) * sum[0] / sum[2];
+}
+
+/* ----------------------------------------------------------------------
+   The host changes a grain's rank for a neighbouring one, or sends it round the box once; it loses,
+   without a word, what has got further. Where a grain just leaves through an open side, that is right.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::check_grains()
+{
+  const double fastest = 1e100;    // m/s, the square of which is still a number
+  double near[3][2];               // this rank's part and as much again on either side
+  for (int d = 0; d < 3; ++d) {
+    const double part = domain->subhi[d] - domain->sublo[d];
+    near[d][0] = domain->sublo[d] - part;
+    near[d][1] = domain->subhi[d] + part;
+  }
+  for (int i = 0; i < atom->nlocal && failure_.empty(); ++i) {
+    const double *x = atom->x[i], *v = atom->v[i];
+    bool usual = true;
+    for (int d = 0; d < 3; ++d) usual &= x[d] >= near[d][0] && x[d] < near[d][1] && std::fabs(v[d]) < fastest;
+    if (usual) continue;
+
+    bool lost = false, finite = true;
+    for (int d = 0; d < 3; ++d) {
+      finite &= std::isfinite(x[d]) && std::fabs(v[d]) < fastest;
+      if (search_.part(d) == HUGE_VAL) continue;
+      const double lo = domain->boxlo[d], hi = domain->boxhi[d];
+      if (domain->periodicity[d]) lost |= x[d] < lo - domain->prd[d] || x[d] >= hi + domain->prd[d];
+      else if (x[d] < lo || x[d] >= hi) continue;
+      if (comm->procgrid[d] > 2) lost |= x[d] < near[d][0] || x[d] >= near[d][1];
+    }
+    if (finite && !lost) continue;
+    std::ostringstream message;
+    message << "grain " << atom->tag[i] << " has "
+            << (finite ? "got further than into the next part of the box" : "no finite position or velocity")
+            << ": position " << x[0] << " " << x[1] << " " << x[2] << ", velocity " << v[0] << " " << v[1] << " " << v[2]
+            << ", step " << update->ntimestep << "; use a smaller time step, and look for grains that overlap or are far too fast";
+    fail(message.str());
+  }
+  report_failure();
 }
 
 /* ----------------------------------------------------------------------
@@ -78,6 +152,7 @@ void FixHertzCg::save_contacts()
 
 void FixHertzCg::setup_pre_neighbor()
 {
+  expired_ = true;
   search();
 }
 
@@ -94,7 +169,8 @@ void FixHertzCg::search()
 {
   double velocity[3];
   stream_velocity(velocity);
-  choose_margin(velocity);
+  // a run continued from the middle of another one goes on with that one's list
+  if (!forces_restarted_) choose_margin(velocity);
 
   const int nall = atom->nlocal + atom->nghost;
   grainjet::ContactPairs::Grains grains;
@@ -109,9 +185,14 @@ void FixHertzCg::search()
   if (!pairs_.build(grains, margin_, store_))
     fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
          + " has no finite position");
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->radius[i] > rmax_)
-      fail("grain " + std::to_string(atom->tag[i]) + " is larger than the largest known at the start of the run");
+  for (int i = 0; i < atom->nlocal && failure_.empty(); ++i)
+    if (!search_.known(atom->type[i], atom->radius[i])) {
+      std::ostringstream message;
+      message << "grain " << atom->tag[i] << " of diameter " << 2.0 * atom->radius[i]
+              << " is larger than the largest known at the start of the run; change sizes and types between runs, "
+              << "and do not begin the next one with `pre no`";
+      fail(message.str());
+    }
   report_failure();
   pairs_valid_ = true;
   stand_in_->show(pairs_, atom->nlocal);
@@ -179,7 +260,8 @@ void FixHertzCg::choose_margin(const double velocity[3])
 
   grainjet::MarginChoice choice;
   choice.diameter = 2.0 * rmax_;
-  choice.largest = search_.reach();
+  // none so wide that the limit along the stream is used up from the start
+  choice.largest = std::min(search_.reach(), 0.5 * search_.narrowest());
   choice.pairs = pairs_per_grain_;
   choice.with = margin_;
   choice.displacement = std::sqrt(fastest) * update->dt;
@@ -188,6 +270,9 @@ void FixHertzCg::choose_margin(const double velocity[3])
     choice.pairs = 4.0 * packing();
     choice.with = 0.0;
   }
+  choice.search = work_done_.search;
+  // a wall, a moving mesh or an insertion asked for this search, not the margin; and will again
+  if (!expired_) choice.forced = work_done_.searches;
   margin_ = std::max(choice.best(), search_.least());
 }
 
@@ -197,14 +282,12 @@ void FixHertzCg::start_motion(const double velocity[3])
 {
   grainjet::StreamMotion::Limits limits;
   limits.relative = 0.5 * margin_;
-  limits.wall = walls_.any ? walls_.reach * search_.skin() : 0.0;
+  limits.wall = walls_.any ? std::max(walls_.reach * search_.skin(), DBL_MIN) : 0.0;
   for (int d = 0; d < 3; ++d) {
     limits.wallAxes[d] = walls_.axis[d];
     // grains go round, change rank or leave through an open end only at a search: none may get
     // far beyond the box before, nor pass a whole rank
-    limits.stream[d] = std::max(20.0 * rmax_, search_.reach());
-    if (domain->periodicity[d] || comm->procgrid[d] > 1)
-      limits.stream[d] = std::min(limits.stream[d], 0.5 * (domain->subhi[d] - domain->sublo[d]));
+    limits.stream[d] = std::min(std::max(20.0 * rmax_, search_.reach()), 0.5 * search_.part(d));
   }
   motion_.start(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, velocity, limits);
 }

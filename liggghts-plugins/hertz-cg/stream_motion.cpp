@@ -22,21 +22,23 @@ void StreamMotion::start(int n, const double *x, const double velocity[3], const
 
 /* ---------------------------------------------------------------------- */
 
-bool StreamMotion::expired(int n, const double *x, double time) const
+StreamMotion::Expired StreamMotion::expired(int n, const double *x, double time) const
 {
   double shift[3];
+  bool far = false;
   for (int d = 0; d < 3; ++d) {
     shift[d] = velocity_[d] * time;
-    if (std::fabs(shift[d]) + limits_.relative > limits_.stream[d]) return true;
+    far |= !(std::fabs(shift[d]) + limits_.relative <= limits_.stream[d]);
   }
   // grains that came or went without a search: their number says so
-  if (3 * static_cast<std::size_t>(n) != hold_.size()) return true;
-  if (grains_expired(n, x, shift)) return true;
+  if (far || 3 * static_cast<std::size_t>(n) != hold_.size()) return STREAM;
+  if (grains_expired(n, x, shift)) return RELATIVE;
   // no grain has left the stream's way by more than the relative limit: often that settles it
   double towards = 0.0;
   for (int d = 0; d < 3; ++d)
     if (limits_.wallAxes[d]) towards += shift[d] * shift[d];
-  return limits_.wall > 0.0 && std::sqrt(towards) + limits_.relative > limits_.wall && walls_expired(n, x);
+  if (limits_.wall > 0.0 && std::sqrt(towards) + limits_.relative > limits_.wall && walls_expired(n, x)) return STREAM;
+  return FRESH;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -50,7 +52,8 @@ bool StreamMotion::grains_expired(int n, const double *x, const double shift[3])
     const double dx = x[i] - h[i] - shift[0];
     const double dy = x[i + 1] - h[i + 1] - shift[1];
     const double dz = x[i + 2] - h[i + 2] - shift[2];
-    far |= dx * dx + dy * dy + dz * dz > limit;
+    // also of a grain that is nowhere: the search that follows says which
+    far |= !(dx * dx + dy * dy + dz * dz <= limit);
   }
   return far != 0;
 }
@@ -76,14 +79,15 @@ bool StreamMotion::walls_expired(int n, const double *x) const
 
 double MarginChoice::best() const
 {
-  // a search costs about as much as 60 visits of a listed pair (measured, dilute and dense)
-  const double searchPerVisit = 60.0;
+  // an empty box
+  if (!(diameter > 0.0) || !(largest > 0.0)) return largest;
   const double smallest = std::min(0.02 * diameter, largest);
   double choice = largest, least = 0.0;
   for (double s = largest; ; s *= 0.8) {
     s = std::max(s, smallest);
     const double shell = (diameter + s) / (diameter + with);
-    const double cost = pairs * shell * shell * shell + searchPerVisit * 2.0 * displacement / s;
+    const double searches = std::max(2.0 * displacement / s, forced);
+    const double cost = pairs * shell * shell * shell + search * searches;
     if (s == largest || cost < least) { choice = s; least = cost; }
     if (s <= smallest) break;
   }

@@ -35,8 +35,10 @@ class StreamMotion {
   // Remember n positions (3 n values); velocity: common motion [m/s], equal on all ranks
   void start(int n, const double *x, const double velocity[3], const Limits &limits);
 
-  // Have the n grains, `time` seconds after start(), used up a limit?
-  bool expired(int n, const double *x, double time) const;
+  // Which limit have the n grains used up, `time` seconds after start()? STREAM: that of walls or of
+  // the way of the stream, or grains came or went; RELATIVE: that of two grains
+  enum Expired { FRESH, STREAM, RELATIVE };
+  Expired expired(int n, const double *x, double time) const;
 
   std::size_t bytes() const { return hold_.capacity() * sizeof(double); }
 
@@ -54,13 +56,15 @@ class StreamMotion {
 
    Per grain and step a margin s costs pairs(s) visits and 1/steps(s) searches, where the number
    of pairs grows with the volume of the shell, pairs ~ (d + s)^3, and a search lasts until the
-   fastest grain has moved s/2.                                                             */
+   fastest grain has moved s/2, or until something else asks for one: then more margin is of no use. */
 struct MarginChoice {
   double diameter;       // m, of the largest grain
   double largest;        // m, up to which ghosts have been fetched
   double pairs;          // pairs listed per grain with the margin `with`
   double with;           // m
   double displacement;   // m per step, of the fastest grain relative to the stream
+  double search = 60.0;  // cost of a search per grain, in visits of a listed pair
+  double forced = 0.0;   // searches per step that come whatever the margin
 
   double best() const;
 };

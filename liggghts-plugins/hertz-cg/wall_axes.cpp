@@ -6,22 +6,28 @@
 
 #include "hertz-cg/wall_axes.h"
 
+#include "atom.h"
 #include "domain.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
 #include "primitive_wall.h"
 
+#include <cstdint>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 
-/* The one member function of the host's class that is needed. The host's own header of it cannot be
-   included, since it wants headers that are generated when LIGGGHTS is compiled.               */
+/* The one member function of each of the host's classes that is needed. The host's own headers of them
+   cannot be included, since they want headers that are generated when LIGGGHTS is compiled.     */
 namespace LAMMPS_NS {
 class FixWallGran {
  public:
   PrimitiveWall *primitiveWall();
+};
+class FixNeighlistMesh {
+ public:
+  int getSizeNumContacts();    // number of triangles, in spite of its name
 };
 }
 
@@ -31,10 +37,12 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
 {
   // primitive walls list grains up to a whole skin from contact, keep a little in hand; meshes and
   // what is stored per contact with a primitive wall go by half of it
-  WallAxes walls = {false, false, 0.9, {false, false, false}};
+  WallAxes walls = {false, false, 0.9, {false, false, false}, false};
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix *fix = lmp->modify->fix[i];
     if (strncmp(fix->style, "contactproperty/atom/wall", 25) == 0) walls.reach = 0.5;
+    if (strncmp(fix->style, "move/mesh", 9) == 0 || strstr(fix->style, "servo") || strstr(fix->style, "6dof"))
+      walls.moving = true;
     if (strncmp(fix->style, "neighlist/mesh", 14) == 0) {
       walls.reach = 0.5;
       walls.any = walls.mesh = walls.axis[0] = walls.axis[1] = walls.axis[2] = true;
@@ -51,4 +59,24 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
       if (d != primitive->axis() && delta[d] != 0.0) walls.axis[d] = true;
   }
   return walls;
+}
+
+/* ---------------------------------------------------------------------- */
+
+grainjet::MeshWork grainjet::mesh_work(LAMMPS *lmp)
+{
+  MeshWork work = {0.0, 0.0};
+  for (int i = 0; i < lmp->modify->nfix; ++i) {
+    Fix *fix = lmp->modify->fix[i];
+    if (strcmp(fix->style, "neighlist/mesh") == 0)
+      work.triangles += reinterpret_cast<FixNeighlistMesh *>(fix)->getSizeNumContacts();
+    // the list's number of triangles of each grain, which the host keeps as the bits of an integer
+    if (strncmp(fix->id, "n_neighs_mesh_", 14) != 0 || !fix->vector_atom) continue;
+    for (int n = 0; n < lmp->atom->nlocal; ++n) {
+      std::int64_t listed;
+      memcpy(&listed, fix->vector_atom + n, sizeof(listed));
+      work.listed += static_cast<double>(listed);
+    }
+  }
+  return work;
 }

@@ -18,9 +18,18 @@ struct WallAxes {
   bool mesh;       // is one of them a mesh, whose triangles may face anywhere?
   double reach;    // how far a grain may come nearer before lists are stale, in units of the skin
   bool axis[3];    // directions x, y, z that some wall's normal may have a part in
+  bool moving;     // does a mesh move?
 };
 
 WallAxes find_walls(LAMMPS_NS::LAMMPS *lmp);
+
+// What mesh walls cost on this rank
+struct MeshWork {
+  double triangles;   // also those shared with other ranks
+  double listed;      // pairs of grain and triangle, looked at in every step
+};
+
+MeshWork mesh_work(LAMMPS_NS::LAMMPS *lmp);
 
 }
 

@@ -186,3 +186,38 @@ TEST(MarginChoice, narrowInACrowdWideInADiluteStream)
   c.diameter = 0.0;
   EXPECT_EQ(c.best(), 0.0);
 }
+
+TEST(MarginChoice, anEmptyBoxHasAnAnswer)
+{
+  MarginChoice c = {0.0, 0.001, 0.0, 0.0, 0.0};
+  EXPECT_EQ(c.best(), 0.001);
+  c.largest = 0.0;
+  EXPECT_EQ(c.best(), 0.0);
+}
+
+TEST(MarginChoice, noMoreThanASearchThatComesAnywayNeeds)
+{
+  MarginChoice c = {1.0, 3.0, 4.0, 0.0, 0.001};
+  const double alone = c.best();
+  c.forced = 0.1;    // a search every ten steps, in which the fastest grain moves 0.01
+  const double forced = c.best();
+  EXPECT_LT(forced, 0.5 * alone);
+  EXPECT_GE(forced, 2.0 * 0.01);
+  c.forced = 0.0;
+  c.search = 6000.0;
+  EXPECT_GT(c.best(), alone) << "lists of triangles make searches dear";
+}
+
+TEST(StreamMotion, aGrainThatIsNowhereAsksForASearch)
+{
+  StreamMotion motion;
+  const double start[] = {0, 0, 0, 5, 0, 0}, velocity[] = {0, 0, 0};
+  StreamMotion::Limits limits = {0.1, 0.0, {false, false, false}, {10, 10, 10}};
+  motion.start(2, start, velocity, limits);
+  EXPECT_EQ(motion.expired(2, start, 1.0), StreamMotion::FRESH);
+  double x[] = {0, 0, 0, 5, std::numeric_limits<double>::quiet_NaN(), 0};
+  EXPECT_EQ(motion.expired(2, x, 1.0), StreamMotion::RELATIVE);
+  const double endless[] = {std::numeric_limits<double>::infinity(), 0, 0};
+  motion.start(2, start, endless, limits);
+  EXPECT_EQ(motion.expired(2, start, 1.0), StreamMotion::STREAM);
+}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Speed of `fix hertz/cg` against the stock pair style, in one run, alternating.
 
-    run.py [--grains N] [--steps N] [--repeat N] [--ranks N] [--profile] [case ...]
+    run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--skin X ...] [--profile]
 
 Cases
     first   a dilute stream in a pipe with the settings a user writes first:
@@ -9,10 +9,14 @@ Cases
     best    the same, stock with its best settings (skin, bin size and sorting found by hand),
             the plugin with the user's first ones: it chooses its own
     dense   a settled bed
+    tube, hopper, floor, screw, drum, or all of them as `walls`
+            mesh walls: from an empty box in one run, both programs with the same settings and
+            `neighbor` of --skin diameters; numbers of grains and steps are the case's own
 
 Both programs of a pair run one after the other, `--repeat` times; printed are the times per grain
 and step and the median of the ratios stock/plugin with its range. With --profile the functions
-that take the time, from `perf record`. Times are of LIGGGHTS' own loop, without set-up.
+that take the time, from `perf record`. Times are of LIGGGHTS' own loop, without set-up; with mesh
+walls processor time of the whole run on all ranks, since insertion belongs to the run.
 """
 
 import argparse
@@ -22,6 +26,7 @@ import os
 import pathlib
 import random
 import re
+import resource
 import shutil
 import statistics
 import subprocess
@@ -31,6 +36,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "validation" / "testing"))
 import grainjet  # noqa: E402
+import walls  # noqa: E402
 
 D, DENSITY, PIPE = 80e-6, 2950.0, 14.2e-3
 
@@ -148,13 +154,20 @@ FIRST = ("neighbor 80e-6 bin\nneigh_modify delay 0", "atom_modify sort 0 0")
 BEST = ("neighbor 280e-6 bin\nneigh_modify delay 0 binsize 0.0004", "atom_modify sort 100 0.0005")
 
 
-def timed(folder, script, ranks, profile=None):
-    """Seconds of the last loop in the script."""
+def processor_time():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def timed(folder, script, ranks, profile=None, whole=False):
+    """Seconds of the last loop in the script; whole: processor time of the run."""
     (folder / "in.bench").write_text(script)
     command = [*grainjet.mpirun(ranks if ranks > 1 else 0), "liggghts-plugins", "-in", "in.bench"]
     if profile:
         command = ["perf", "record", "-q", "-o", str(folder / "perf.data"), *command]
+    before = processor_time()
     done = grainjet.run(command, folder, timeout=3600)
+    used = processor_time() - before
     assert done.code == 0, done
     if profile:
         report = subprocess.run(["perf", "report", "-i", str(folder / "perf.data"), "--stdio", "--no-children",
@@ -162,7 +175,21 @@ def timed(folder, script, ranks, profile=None):
         print(f"  profile, {profile}:")
         shown = [line for line in report.split("\n") if line and not line.startswith("#")]
         print("\n".join("  " + line[:110] for line in shown[:14]))
-    return float(re.findall(r"^Loop time of (\S+)", done.output, re.M)[-1])
+    return used if whole else float(re.findall(r"^Loop time of (\S+)", done.output, re.M)[-1])
+
+
+def compare(folder, label, runs, grains, steps, args, whole=False):
+    times, ratios = {name: [] for name in runs}, []
+    for _ in range(args.repeat):
+        for name, script in runs.items():
+            times[name].append(timed(folder, script, args.ranks, whole=whole) / steps / grains * 1e9)
+        ratios.append(times["stock"][-1] / times["plugin"][-1])
+    print(f"{label}: stock {statistics.median(times['stock']):.1f}, plugin {statistics.median(times['plugin']):.1f}; "
+          f"stock/plugin {statistics.median(ratios):.2f} (from {min(ratios):.2f} to {max(ratios):.2f}, "
+          f"{args.repeat} pairs of {steps} steps)", flush=True)
+    if args.profile:
+        for name, script in runs.items():
+            timed(folder, script, args.ranks, name)
 
 
 def main():
@@ -171,6 +198,7 @@ def main():
     parser.add_argument("--steps", type=int, default=1000)
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--skin", type=float, nargs="+", default=[0.1, 0.5])
     parser.add_argument("--profile", action="store_true")
     parser.add_argument("case", nargs="*", default=["first", "best", "dense"])
     args = parser.parse_args()
@@ -179,8 +207,16 @@ def main():
     try:
         print(f"{args.grains} grains, {args.ranks} rank(s), {os.cpu_count()} cores, "
               f"load {os.getloadavg()[0]:.1f}; ns per grain and step")
-        for case in args.case:
+        cases = [c for case in args.case for c in (walls.CASES if case == "walls" else [case])]
+        for case in cases:
             steps = args.steps
+            if case in walls.CASES:
+                triangles = walls.prepare(folder, case)
+                grains, steps = walls.CASES[case]["grains"], walls.CASES[case]["steps"]
+                for skin in args.skin:
+                    runs = {law: walls.script(case, law, skin) for law in walls.LAWS}
+                    compare(folder, f"{case}, {triangles} triangles, skin {skin} d", runs, grains, steps, args, whole=True)
+                continue
             if case == "dense":
                 bed(folder, args.grains)
                 runs = {name: bed_script(law, "read_restart bed", f"run 50\nrun {steps}")
@@ -191,18 +227,7 @@ def main():
                     steps = max(100, steps // 5)
                 runs = {"stock": stream_script(STOCK, FIRST if case == "first" else BEST, steps),
                         "plugin": stream_script(PLUGIN, FIRST, steps)}
-            times, ratios = {name: [] for name in runs}, []
-            for _ in range(args.repeat):
-                for name, script in runs.items():
-                    times[name].append(timed(folder, script, args.ranks) / steps / args.grains * 1e9)
-                ratios.append(times["stock"][-1] / times["plugin"][-1])
-            print(f"{case}: stock {statistics.median(times['stock']):.1f}, "
-                  f"plugin {statistics.median(times['plugin']):.1f}; stock/plugin "
-                  f"{statistics.median(ratios):.2f} (from {min(ratios):.2f} to {max(ratios):.2f}, "
-                  f"{args.repeat} pairs of {steps} steps)", flush=True)
-            if args.profile:
-                for name, script in runs.items():
-                    timed(folder, script, args.ranks, name)
+            compare(folder, case, runs, args.grains, steps, args)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
