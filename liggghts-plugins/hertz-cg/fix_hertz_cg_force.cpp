@@ -60,7 +60,6 @@ void FixHertzCg::setup_pre_force(int)
   MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_MAX, world);
   if (missing) search();
   compute(false, forces_restarted_);
-  forces_restarted_ = false;
   report_failure();
 }
 

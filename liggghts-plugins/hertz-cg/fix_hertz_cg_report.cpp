@@ -166,7 +166,8 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS, NSAVED };
+enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
+             SEARCHED, STREAM, NSAVED = STREAM + 3 };
 
 }
 
@@ -179,7 +180,7 @@ void FixHertzCg::write_restart(FILE *fp)
   if (comm->me) return;
 
   double list[NSAVED];
-  list[VERSION] = 1.0;
+  list[VERSION] = 2.0;
   list[FACTOR] = force->cg(1);
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
@@ -191,6 +192,8 @@ void FixHertzCg::write_restart(FILE *fp)
   list[REACH] = search_.reach();
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
+  list[SEARCHED] = static_cast<double>(search_step_);
+  for (int d = 0; d < 3; ++d) list[STREAM + d] = stream_[d];
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list, sizeof(double), NSAVED, fp);
@@ -202,7 +205,7 @@ void FixHertzCg::restart(char *buf)
 {
   double list[NSAVED];
   memcpy(list, buf, sizeof(list));
-  if (list[VERSION] != 1.0)
+  if (list[VERSION] != 2.0)
     error->fix_error(FLERR, this, "the restart file was written by another version of this fix");
   if (list[FACTOR] != force->cg(1)) {
     std::ostringstream message;
@@ -221,6 +224,8 @@ void FixHertzCg::restart(char *buf)
   if (forces_restarted_) search_.keep(list[REACH]);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
+  search_step_ = static_cast<bigint>(list[SEARCHED]);
+  for (int d = 0; d < 3; ++d) stream_[d] = list[STREAM + d];
 }
 
 /* ----------------------------------------------------------------------

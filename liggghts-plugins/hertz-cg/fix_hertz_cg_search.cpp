@@ -29,6 +29,7 @@ using namespace LAMMPS_NS;
 
 void FixHertzCg::post_integrate()
 {
+  forces_restarted_ = false;
   const double time = (update->ntimestep - search_step_) * update->dt;
   enum { FRESH, EXPIRED, FAILED };
   int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time) ? EXPIRED : FRESH;
@@ -91,9 +92,12 @@ void FixHertzCg::pre_neighbor()
 
 void FixHertzCg::search()
 {
-  double velocity[3];
-  stream_velocity(velocity);
-  choose_margin(velocity);
+  // a run that goes on from the middle of another makes the list that was in use there
+  if (!forces_restarted_) {
+    stream_velocity(stream_);
+    choose_margin(stream_);
+    search_step_ = update->ntimestep;
+  }
 
   const int nall = atom->nlocal + atom->nghost;
   grainjet::ContactPairs::Grains grains;
@@ -117,8 +121,7 @@ void FixHertzCg::search()
   double count[2] = {static_cast<double>(pairs_.size()), static_cast<double>(atom->nlocal)};
   MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
   pairs_per_grain_ = count[1] > 0.0 ? count[0] / count[1] : -1.0;
-  search_step_ = update->ntimestep;
-  start_motion(velocity);
+  start_motion(stream_);
 }
 
 /* ----------------------------------------------------------------------

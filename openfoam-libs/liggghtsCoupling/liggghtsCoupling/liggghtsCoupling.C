@@ -207,8 +207,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
             coeffs_.lookupOrDefault<fileName>("log", "log.liggghts")
         )
     );
-    const fileName grainFile(couplingRestart::startFile(mesh.time()));
-    session_->start(script_, grainFile);
+    const formerRun former(mesh);
+    session_->start(script_, former.grains());
     checkTimeStep();
     checkOverlap();
     setPeriod();
@@ -250,11 +250,11 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     restart_.reset
     (
-        new couplingRestart(mesh, session_(), momentum_(), log_)
+        new couplingRestart(mesh, session_(), momentum_(), log_, former)
     );
 
     Info<< "    LIGGGHTS: " << script_ << ", " << present
-        << (grainFile.empty() ? " new" : " continued") << " grains, "
+        << (former.continues() ? " continued" : " new") << " grains, "
         << interval_ << " DEM steps of " << session_->timeStep()
         << " s per fluid step" << nl << endl;
 }
