@@ -109,7 +109,7 @@ void FixHertzCg::search()
   grains.mask = atom->mask;
   grains.group = groupbit;
   grains.frozen = freeze_bit_;
-  if (!pairs_.build(grains, margin_, store_))
+  if (!pairs_.build(grains, margin_, store_, forces_restarted_))
     fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
          + " has no finite position");
   for (int i = 0; i < atom->nlocal; ++i)

@@ -233,11 +233,18 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     }
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
-    guests_->forget();
-    guests_->locate([](const label, const UList<guestGrain>&){});
+    if (former.continues())
+    {
+        guests_->recall();
+    }
+    else
+    {
+        guests_->forget();
+        guests_->locate([](const label, const UList<guestGrain>&){});
+    }
 
     const scalar present = session_->counts().present;
-    if (present > 0 && guests_->outside() == present)
+    if (!former.continues() && present > 0 && guests_->outside() == present)
     {
         FatalIOErrorInFunction(coeffs_)
             << "None of the " << present << " grains of " << script_
