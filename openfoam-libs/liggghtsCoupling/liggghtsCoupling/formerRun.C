@@ -44,14 +44,40 @@ Foam::IOobject Foam::formerRun::header(const word& name, const fileName& local) 
 
 Foam::fileName Foam::formerRun::found(const word& timeName) const
 {
-    // Every rank asks for its own path, as the file handlers want it; the first one counts
-    fileName file
-    (
-        fileHandler().filePath
-        (
-            mesh_.time().path()/timeName/"uniform"/grainsName
-        )
-    );
+    // The first rank looks for it alone: file handlers may search on all ranks together, but
+    // only if these ask for the same paths. Like them it prefers processors<N>[_0-...]
+    const Time& time = mesh_.time();
+    const fileName local(timeName/"uniform"/grainsName);
+    fileName file;
+
+    if (Pstream::master())
+    {
+        DynamicList<fileName> places;
+        if (time.processorCase())
+        {
+            const word all("processors" + std::to_string(Pstream::nProcs()));
+            for
+            (
+                const fileName& folder
+              : Foam::readDir(time.globalPath(), fileName::DIRECTORY)
+            )
+            {
+                if (folder == all || folder.startsWith(all + "_0-"))
+                {
+                    places.append(time.globalPath()/folder/local);
+                }
+            }
+        }
+        places.append(time.path()/local);
+
+        for (const fileName& place : places)
+        {
+            if (file.empty() && Foam::isFile(place, false))
+            {
+                file = place;
+            }
+        }
+    }
     Pstream::scatter(file);
     return file;
 }
@@ -103,7 +129,6 @@ bool Foam::formerRun::otherTimes() const
     bool any = false;
     for (const instant& i : mesh_.time().times())
     {
-        // Without a short cut: looking for a file may be collective
         any = !found(i.name()).empty() || any;
     }
     return any;
@@ -159,10 +184,10 @@ void Foam::formerRun::incomplete
 {
     const Time& time = mesh_.time();
     FatalErrorInFunction
-        << "Time " << time.timeName() << " was written by a coupled run and is not"
-        << " complete: " << what.c_str() << ".\n"
-        << "    The run was probably killed while writing, or the file was not copied"
-        << " with the others. Remove the folder " << time.timePath()
+        << what.c_str() << ".\n"
+        << "    Time " << time.timeName() << " was written by a coupled run, which was"
+        << " probably killed while writing, or the file was not copied with the others."
+        << " Remove the folder " << time.timePath()
         << " or set startTime in " << time.controlDict().name()
         << " to a complete time.\n"
         << "    To begin with new grains in this flow, remove what belongs to the former"
@@ -216,7 +241,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
     {
         std::ostringstream message;
         message.precision(16);
-        message << "the file of grains " << grains_.file << " has " << bytes << " bytes instead of "
+        message << "The file of grains " << grains_.file << " has " << bytes << " bytes instead of "
             << expected;
         incomplete(message.str(), traces);
     }
@@ -246,7 +271,7 @@ void Foam::formerRun::checkFiles(wordList names, const wordList& traces) const
     {
         if (!file.empty())
         {
-            incomplete("there is no readable file " + file, traces);
+            incomplete("There is no readable file " + file, traces);
         }
     }
 }
@@ -274,7 +299,8 @@ Foam::formerRun::formerRun(const fvMesh& mesh)
         {
             incomplete
             (
-                "beside the grains there is no file uniform/" + propertiesName,
+                "Beside the grains of time " + time.timeName() + " there is no file uniform/"
+              + propertiesName,
                 names
             );
         }
@@ -285,7 +311,7 @@ Foam::formerRun::formerRun(const fvMesh& mesh)
     // Nothing of a coupled run lies at a first time, whatever later times hold
     const std::string what
     (
-        "The grains of time " + time.timeName() + " are missing: there is no file "
+        "The grains of time " + time.timeName() + " are missing: there is no complete file "
       + expected
     );
     if (names.size())

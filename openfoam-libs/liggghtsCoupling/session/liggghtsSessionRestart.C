@@ -112,21 +112,14 @@ void Foam::liggghtsSession::checkContinued(const restartFile& former) const
     const std::string in =
         "Script " + script_ + ": the run continues a former one, but the script ";
 
-    if (read.stamp < 0 && step == former.step && grains == former.grains)
-    {
-        sessionError
-        (
-            in + "has another ID for fix fluid/force than the one that wrote "
-          + former.file + ", so its grains are without what the fluid does to them."
-            " Give the fix its former ID"
-        );
-    }
     if (read.stamp < 0)
     {
         sessionError
         (
             in + "has not read its grains from " + former.file
-          + ".\n    Have it read them instead of making new ones:" + reads
+          + ", or gives fix fluid/force another ID than the run that wrote them, so that"
+            " they are without what the fluid does to them.\n    Have it read them instead"
+            " of making new ones:" + reads
         );
     }
     if (read.stamp != former.stamp)
@@ -154,9 +147,9 @@ void Foam::liggghtsSession::checkContinued(const restartFile& former) const
         sessionError
         (
             in + "makes " + number(grains) + " grains of the " + number(former.grains)
-          + " of " + former.file + ": it has a command (create_atoms, delete_atoms) that is"
+          + " of " + former.file + ": it has a command (such as delete_atoms) that is"
             " carried out again at each start.\n    Let it do so at the first start only:"
-            "\n\n    if \"${continued} == 0\" then \"create_atoms ...\"\n"
+            "\n\n    if \"${continued} == 0\" then \"delete_atoms ...\"\n"
         );
     }
 }

@@ -14,6 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import coupled_box as box
 import grainjet
 from case_coupling import swarm
+from case_coupling_restart import end_at
 
 FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient",
           "particleMomentumSource", "particleMomentumOwed")
@@ -74,13 +75,6 @@ class Writes(grainjet.Case):
             self.foam("decomposePar", folder)
         return folder
 
-    def end_at(self, folder, steps):
-        control = folder / "system/controlDict"
-        text = control.read_text()
-        start = text.index("endTime", text.index("stopAt endTime;") + 15)
-        stop = text.index(";", start)
-        control.write_text(f"{text[:start]}endTime {steps * 1e-4!r}{text[stop:]}")
-
     def assertSame(self, a, b, steps, ranks):
         """All grains at all their dumps, and all fields at the end."""
         for step in range(100, 10 * steps + 1, 100):
@@ -95,9 +89,9 @@ class Writes(grainjet.Case):
         """60 steps in three runs; one writes once, one twice."""
         parts = self.write("parts", 23, 23, ranks=ranks, **options)
         self.foam("pimpleFoam", parts, ranks)
-        self.end_at(parts, 41)
+        end_at(parts, 41)
         self.foam("pimpleFoam", parts, ranks)
-        self.end_at(parts, 60)
+        end_at(parts, 60)
         control = parts / "system/controlDict"
         control.write_text(control.read_text().replace("writeInterval 23", "writeInterval 60"))
         result = self.foam("pimpleFoam", parts, ranks)
