@@ -215,7 +215,7 @@ class Missing(grainjet.Case):
 
     def test_grains_that_are_made_again(self):
         folder = self.first_run()
-        self.edit(folder, ("thermo 1000", "group one id 1\ndelete_atoms group one"))
+        self.edit(folder, ("thermo 1000", "run 0\ngroup one id 1\ndelete_atoms group one"))
         self.assertRefused(folder, "makes 4 grains of the 5 of 0.0004/uniform/liggghts.restart")
 
     def test_another_name_of_the_fix(self):
