@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -42,7 +43,7 @@ template struct grainjet::Expose<grainjet::PreForceList, &Modify::list_pre_force
 
 RunningState::RunningState(LAMMPS *lmp) :
   Pointers(lmp), noted_(false), inRun_(false), holding_(false), resuming_(false), used_(false),
-  nextSort_(0), ago_(0), sortEvery_(0), written_(), read_()
+  nextSort_(0), ago_(0), sortEvery_(0), contactDistance_(1.0), written_(), read_()
 {
   written_.stamp = read_.stamp = -1.0;
 }
@@ -254,6 +255,8 @@ void RunningState::move(int column)
 void RunningState::to_lists()
 {
   move(LISTED);
+  contactDistance_ = neighbor->contactDistanceFactor;
+  keep_histories();
 
   sortEvery_ = atom->sortfreq;
   atom->sortfreq = 0;
@@ -270,6 +273,24 @@ void RunningState::to_lists()
   std::stable_partition(rest, list + modify->n_pre_force, isOwn);
 }
 
+/* ----------------------------------------------------------------------
+   pair_style gran takes up the history of a contact if the two grains touch when the list is made.
+   They may not have touched then: whatever is in the list counts as touching.
+------------------------------------------------------------------------- */
+
+void RunningState::keep_histories()
+{
+  bool histories = false;
+  for (int ifix = 0; ifix < modify->nfix; ifix++)
+    histories |= strcmp(modify->fix[ifix]->style, "contacthistory") == 0;
+  if (!histories) return;
+
+  double smallest = HUGE_VAL, all;
+  for (int i = 0; i < atom->nlocal; i++) smallest = std::min(smallest, atom->radius[i]);
+  MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  neighbor->contactDistanceFactor *= 1.0 + 0.5 * neighbor->skin / all;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void RunningState::lists_made()
@@ -284,6 +305,7 @@ void RunningState::to_present()
 {
   move(PRESENT);
   comm->forward_comm();
+  neighbor->contactDistanceFactor = contactDistance_;
 }
 
 /* ---------------------------------------------------------------------- */

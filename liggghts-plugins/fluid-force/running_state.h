@@ -92,6 +92,7 @@ class RunningState : protected Pointers {
   bigint nextSort_;
   int ago_;
   int sortEvery_;
+  double contactDistance_;
   std::vector<int> order_;         // of the pre_force hooks, while resuming
 
   GrainFile written_, read_;
@@ -100,6 +101,7 @@ class RunningState : protected Pointers {
   void find_marked();
   void mark();
   void move(int column);
+  void keep_histories();
 };
 
 }

@@ -19,7 +19,9 @@ Description
 #include "lammps.h"
 #include "atom.h"
 #include "comm.h"
+#include "fix.h"
 #include "input.h"
+#include "modify.h"
 #include "update.h"
 #include "write_restart.h"
 
@@ -163,6 +165,16 @@ Foam::liggghtsSession::restartFile Foam::liggghtsSession::writeRestart
 )
 {
     inFolder here(folder_);
+
+    // pair_style gran keeps contacts in its list of neighbours and with the grains only when
+    // a new list is made; LIGGGHTS writes those of the grains
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        if (!std::strcmp(lmp_->modify->fix[i]->style, "contacthistory"))
+        {
+            lmp_->modify->fix[i]->pre_exchange();
+        }
+    }
 
     // As `restart N` does in the middle of a run. The command write_restart would set up
     // the run anew, and so change it
