@@ -7,7 +7,6 @@
 #include "fix_fluid_force.h"
 
 #include "host/fix_arguments.h"
-#include "host/grainjet_version.h"
 #include "physics/drag/exponential_drag.h"
 
 #include "atom.h"
@@ -34,7 +33,7 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   coupled_(false),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
   fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
-  exchange_(), lost_(lmp), doorOpen_(false), held_(lmp),
+  exchange_(), lost_(lmp), doorOpen_(false), running_(lmp), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
   parse(narg, arg);
@@ -51,10 +50,24 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   if (strcmp(update->unit_style, "si") != 0) arguments.fail("requires units si");
 
   create_attribute = coupled_ ? 1 : 0;
+  restart_global = restart_peratom = restart_file = coupled_ ? 1 : 0;
   vector_flag = 1;
   size_vector = 4;
   global_freq = 1;
   extvector = 0;
+
+  if (!coupled_) return;
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixFluidForce::~FixFluidForce()
+{
+  if (!coupled_) return;
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -82,7 +95,7 @@ int FixFluidForce::setmask()
   // The force is added in pre_final_integrate, which runs after all fixes' post_force:
   // so it acts last whatever the order of the fixes in the script.
   int mask = PRE_INITIAL_INTEGRATE | PRE_NEIGHBOR | PRE_FINAL_INTEGRATE;
-  if (coupled_) mask |= PRE_EXCHANGE;
+  if (coupled_) mask |= PRE_EXCHANGE | PRE_FORCE;
   return mask;
 }
 
@@ -180,6 +193,7 @@ void FixFluidForce::set_arrays(int i)
 {
   for (int dim = 0; dim < 3; dim++)
     startPosition_->array_atom[i][dim] = atom->x[i][dim];
+  running_.forget(i);
 }
 
 /* ----------------------------------------------------------------------
@@ -191,6 +205,11 @@ void FixFluidForce::setup(int)
 {
   held_.reorder();
   held_.update(update->ntimestep + 1);
+  if (running_.resumes()) {
+    running_.present_forces();
+    running_.set_up();
+    return;
+  }
   apply(0.5 * update->dt, false, false);
   freshSetup_ = true;
 }
@@ -199,6 +218,10 @@ void FixFluidForce::setup(int)
 
 void FixFluidForce::pre_initial_integrate()
 {
+  if (running_.resumes()) {
+    running_.present_forces();
+    running_.finish();
+  }
   if (!freshSetup_) return;
   apply(0.5 * update->dt, true, false);
   freshSetup_ = false;
@@ -209,6 +232,23 @@ void FixFluidForce::pre_initial_integrate()
 void FixFluidForce::pre_neighbor()
 {
   held_.reorder();
+  if (coupled_) running_.note_lists();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::setup_pre_neighbor()
+{
+  if (!coupled_) return;
+  running_.note_lists();
+  if (running_.resumes()) running_.lists_made();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::setup_pre_force(int)
+{
+  if (running_.resumes()) running_.to_present();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -309,6 +349,8 @@ void FixFluidForce::rotational_drag(double kick, bool remove)
 
 void FixFluidForce::setup_pre_exchange()
 {
+  running_.forget_lists();
+  if (running_.resume()) running_.to_lists();
   if (!doorOpen_) return;
   refresh_exchange();
   lost_.collect_outside(exchange_, 0.0);
@@ -324,41 +366,4 @@ void FixFluidForce::pre_exchange()
   refresh_exchange();
   lost_.collect_marked(exchange_, 0.5 * update->dt);
   lost_.collect_outside(exchange_, 0.5 * update->dt);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixFluidForce::refresh_exchange()
-{
-  exchange_.fluidVelocity = fluidVelocity_->array_atom;
-  exchange_.dragCoefficient = dragCoefficient_->vector_atom;
-  exchange_.explicitForce = explicitForce_->array_atom;
-  exchange_.impulse = impulse_->array_atom;
-  exchange_.fluidForce = fluidForce_->array_atom;
-  exchange_.startPosition = startPosition_->array_atom;
-  exchange_.host = host_->array_atom;
-  exchange_.nLost = lost_.grains().size();
-  exchange_.lost = lost_.grains().data();
-  exchange_.clearLost = clear_lost;
-  exchange_.fix = this;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixFluidForce::clear_lost(FluidForceExchange *door)
-{
-  static_cast<FixFluidForce *>(door->fix)->lost_.clear();
-  door->nLost = 0;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void *FixFluidForce::extract(const char *what, int &dim)
-{
-  dim = 0;
-  if (strcmp(what, "fluid_force_version") == 0) return const_cast<char *>(GRAINJET_VERSION);
-  if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
-  doorOpen_ = true;
-  refresh_exchange();
-  return &exchange_;
 }

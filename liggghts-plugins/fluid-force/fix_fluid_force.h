@@ -17,6 +17,7 @@ FixStyle(fluid/force,FixFluidForce)
 #include "fluid_force_exchange.h"
 #include "held_grains.h"
 #include "lost_grains.h"
+#include "running_state.h"
 #include "uniform_flow.h"
 
 #include <memory>
@@ -39,6 +40,8 @@ namespace LAMMPS_NS {
    migrates, is sorted, restarted and dumped (f_fluidForce[1] ...) by LIGGGHTS itself:
      fluidVelocity[3] fluidDragCoefficient fluidExplicitForce[3] fluidImpulse[3]
      fluidForce[3] fluidStartPosition[3] fluidHost[2]
+   A restart file from the middle of a run of style coupled holds what the next run needs to go on
+   as if that had not stopped: running_state.h.
    (uniform has fluidDragCoefficient, fluidImpulse, fluidForce, and with rotation yes
    fluidTorque[3]). Meaning and units: fluid_force_exchange.h.
 
@@ -48,6 +51,7 @@ class FixFluidForce : public Fix {
  public:
 
   FixFluidForce(class LAMMPS *, int, char **);
+  ~FixFluidForce();
 
   int setmask();
   void post_create();
@@ -55,12 +59,28 @@ class FixFluidForce : public Fix {
   void init();
   void setup(int);
   void setup_pre_exchange();
+  void setup_pre_neighbor();
+  void setup_pre_force(int);
   void pre_initial_integrate();
   void pre_exchange();
   void pre_neighbor();
   void pre_final_integrate();
   void set_arrays(int);
   double compute_vector(int);
+  int min_type();
+
+  void grow_arrays(int);
+  void copy_arrays(int, int, int);
+  int pack_exchange(int, double *);
+  int unpack_exchange(int, double *);
+
+  void write_restart(FILE *);
+  void write_restart_file(char *);
+  void restart(char *);
+  int pack_restart(int, double *);
+  void unpack_restart(int, int);
+  int size_restart(int);
+  int maxsize_restart();
 
   // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
   // "fluid_force_version": const char *, the version of Grainjet that layout belongs to
@@ -82,6 +102,7 @@ class FixFluidForce : public Fix {
   FluidForceExchange exchange_;
   LostGrains lost_;
   bool doorOpen_;                   // a coupling has asked for the exchange: book losses
+  RunningState running_;
 
   HeldGrains held_;
   bool freshSetup_;                 // forces of the set-up not yet used for a kick

@@ -28,6 +28,13 @@
 
 namespace LAMMPS_NS {
 
+// What tells one restart file from all others. stamp: -1 if there is none
+struct GrainFile {
+  double stamp;               // differs from file to file
+  double step;                // DEM step
+  double grains;              // number of grains
+};
+
 struct FluidForceExchange {
 
   // ---- written by the coupling, held constant over the DEM steps of an interval
@@ -68,6 +75,11 @@ struct FluidForceExchange {
   int nLost;
   const Lost *lost;
   void (*clearLost)(FluidForceExchange *);
+
+  // ---- continuing
+
+  GrainFile written;          // the restart file written last
+  GrainFile read;             // the restart file that the fix has taken its state from
 
   void *fix;                  // the owner, for clearLost
 };

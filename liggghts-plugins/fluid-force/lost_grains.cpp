@@ -5,6 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "lost_grains.h"
+#include "marked_grains.h"
 
 #include "host/expose_member.h"
 
@@ -42,6 +43,14 @@ template struct grainjet::Expose<grainjet::MarkedTags, &FixMassflowMesh::atom_ta
 
 /* ---------------------------------------------------------------------- */
 
+std::vector<int> *grainjet::marked_tags(Fix *fix)
+{
+  FixMassflowMesh *counter = dynamic_cast<FixMassflowMesh *>(fix);
+  return counter ? &(counter->*member(MarkedTags())) : NULL;
+}
+
+/* ---------------------------------------------------------------------- */
+
 LostGrains::LostGrains(LAMMPS *lmp) : Pointers(lmp) {}
 
 /* ---------------------------------------------------------------------- */
@@ -71,9 +80,9 @@ bool LostGrains::outside(const double *x) const
 void LostGrains::collect_marked(const FluidForceExchange &state, double halfKick)
 {
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    FixMassflowMesh *counter = dynamic_cast<FixMassflowMesh *>(modify->fix[ifix]);
-    if (!counter) continue;
-    for (int tag : counter->*member(grainjet::MarkedTags())) {
+    const std::vector<int> *tags = grainjet::marked_tags(modify->fix[ifix]);
+    if (!tags) continue;
+    for (int tag : *tags) {
       const int i = atom->map(tag);
       if (i >= 0 && i < atom->nlocal && !outside(atom->x[i])) record(i, state, halfKick);
     }

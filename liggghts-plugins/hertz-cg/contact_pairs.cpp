@@ -13,7 +13,7 @@ using namespace grainjet;
 
 /* ---------------------------------------------------------------------- */
 
-bool ContactPairs::build(const Grains &g, double margin, const ContactStore &store)
+bool ContactPairs::build(const Grains &g, double margin, const ContactStore &store, bool earlier)
 {
   pairs.clear();
   marks.clear();
@@ -42,7 +42,7 @@ bool ContactPairs::build(const Grains &g, double margin, const ContactStore &sto
       // in a narrow periodic box another image of the same grain may be listed too
       const double *a = g.x + 3 * i, *b = g.x + 3 * j;
       const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
-      if (dx * dx + dy * dy + dz * dz > 1.2 * pairs[p].reach2) break;
+      if (!earlier && dx * dx + dy * dy + dz * dz > 1.2 * pairs[p].reach2) break;
       marks[p] = static_cast<unsigned char>(e.marks);
       contacts[p] = e.contact;
       break;

@@ -43,8 +43,9 @@ class ContactPairs {
   };
 
   // List the pairs closer than margin and take up their contacts from the store.
+  // earlier: the positions are those of a moment before the contacts began, so grains may be apart.
   // Returns false if a grain's position is not a finite number.
-  bool build(const Grains &grains, double margin, const ContactStore &store);
+  bool build(const Grains &grains, double margin, const ContactStore &store, bool earlier = false);
 
   // Write the contacts to both grains in the store
   void save(ContactStore &store) const;

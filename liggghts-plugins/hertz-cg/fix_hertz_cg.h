@@ -114,7 +114,7 @@ class FixHertzCg : public Fix {
   // state of pairs and store
   bool pairs_valid_;       // indices in pairs_ are those of the host's arrays
   bool store_current_;     // store_ holds what pairs_ holds
-  bool forces_restarted_;  // the first forces are those of the restart file
+  bool forces_restarted_;  // until the first step, forces and list are those of the restart file
 
   // the search
   double rmax_;            // m, largest radius, also of grains still to be inserted
@@ -123,6 +123,7 @@ class FixHertzCg : public Fix {
   bigint search_step_;     // when it was made
   bool expired_;           // the next one is due because its margin is used up
   grainjet::SearchSettings::Work work_done_;
+  double stream_[3];       // m/s, mean velocity of the grains then
   int freeze_bit_;
   grainjet::WallAxes walls_;
 

@@ -71,7 +71,6 @@ void FixHertzCg::setup_pre_force(int)
 void FixHertzCg::compute(bool advance)
 {
   const bool again = forces_restarted_ && !advance;
-  forces_restarted_ = false;
   store_current_ = false;
   const bool extras = !law_.plain();
   if (law_.tangential != Tangential::OFF) {

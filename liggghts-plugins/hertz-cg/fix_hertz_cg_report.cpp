@@ -167,7 +167,7 @@ namespace {
 
 // order of the numbers in the global part; the first of them is its version
 enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
-             VALUES, SKIN, LARGEST_SKIN, SORT_BIN, NSAVED };
+             VALUES, SKIN, LARGEST_SKIN, SORT_BIN, SEARCHED, STREAM, NSAVED = STREAM + 3 };
 
 }
 
@@ -197,6 +197,8 @@ void FixHertzCg::write_restart(FILE *fp)
   list[SKIN] = lengths.skin;
   list[LARGEST_SKIN] = lengths.largestSkin;
   list[SORT_BIN] = lengths.sortBin;
+  list[SEARCHED] = static_cast<double>(search_step_);
+  for (int d = 0; d < 3; ++d) list[STREAM + d] = stream_[d];
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list, sizeof(double), NSAVED, fp);
@@ -237,6 +239,8 @@ void FixHertzCg::restart(char *buf)
   if (forces_restarted_) search_.keep(lengths);
   margin_ = list[MARGIN];
   pairs_per_grain_ = list[PAIRS];
+  search_step_ = static_cast<bigint>(list[SEARCHED]);
+  for (int d = 0; d < 3; ++d) stream_[d] = list[STREAM + d];
 }
 
 /* ----------------------------------------------------------------------

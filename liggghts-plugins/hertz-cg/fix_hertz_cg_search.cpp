@@ -32,6 +32,7 @@ using namespace LAMMPS_NS;
 
 void FixHertzCg::post_integrate()
 {
+  forces_restarted_ = false;
   const double time = (update->ntimestep - search_step_) * update->dt;
   const int failed = grainjet::StreamMotion::RELATIVE + 1;
   int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
@@ -167,10 +168,12 @@ void FixHertzCg::pre_neighbor()
 
 void FixHertzCg::search()
 {
-  double velocity[3];
-  stream_velocity(velocity);
-  // a run continued from the middle of another one goes on with that one's list
-  if (!forces_restarted_) choose_margin(velocity);
+  // a run that goes on from the middle of another makes the list that was in use there
+  if (!forces_restarted_) {
+    stream_velocity(stream_);
+    choose_margin(stream_);
+    search_step_ = update->ntimestep;
+  }
 
   const int nall = atom->nlocal + atom->nghost;
   grainjet::ContactPairs::Grains grains;
@@ -182,7 +185,7 @@ void FixHertzCg::search()
   grains.mask = atom->mask;
   grains.group = groupbit;
   grains.frozen = freeze_bit_;
-  if (!pairs_.build(grains, margin_, store_))
+  if (!pairs_.build(grains, margin_, store_, forces_restarted_))
     fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
          + " has no finite position");
   for (int i = 0; i < atom->nlocal && failure_.empty(); ++i)
@@ -200,8 +203,7 @@ void FixHertzCg::search()
   double count[2] = {static_cast<double>(pairs_.size()), static_cast<double>(atom->nlocal)};
   MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
   pairs_per_grain_ = count[1] > 0.0 ? count[0] / count[1] : -1.0;
-  search_step_ = update->ntimestep;
-  start_motion(velocity);
+  start_motion(stream_);
 }
 
 /* ----------------------------------------------------------------------

@@ -5,6 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "guestGrains.H"
+#include "Pair.H"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -58,6 +61,47 @@ void Foam::guestGrains::forget()
     for (label atom = 0; atom < n; ++atom)
     {
         door.host[atom][0] = door.host[atom][1] = -1;
+    }
+}
+
+
+void Foam::guestGrains::recall()
+{
+    const liggghtsSession::grainArrays grains = session_.grains();
+    const liggghtsSession::fluidArrays door = session_.fluidForces();
+
+    // Positions and beginnings of way change places while cells are looked for
+    List<Pair<vector>> ways(grains.n);
+    boolList guest(grains.n);
+    forAll(ways, atom)
+    {
+        double* now = grains.position[atom];
+        const double* then = door.startPosition[atom];
+        ways[atom].first() = vector(now[0], now[1], now[2]);
+        ways[atom].second() = vector(then[0], then[1], then[2]);
+        guest[atom] = door.host[atom][0] >= 0 && door.host[atom][1] >= 0;
+        if (guest[atom])
+        {
+            std::copy_n(then, 3, now);
+        }
+    }
+
+    forget();
+    locate([](const label, const UList<guestGrain>&){});
+    for (label g = 0; g < size(); ++g)
+    {
+        give(g, fluidAction{Zero, 0, Zero});
+    }
+    send();
+
+    forAll(ways, atom)
+    {
+        std::copy_n(ways[atom].first().cdata(), 3, grains.position[atom]);
+        std::copy_n(ways[atom].second().cdata(), 3, door.startPosition[atom]);
+        if (!guest[atom])
+        {
+            door.host[atom][0] = door.host[atom][1] = -1;
+        }
     }
 }
 

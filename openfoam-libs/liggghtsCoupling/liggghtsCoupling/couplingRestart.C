@@ -9,6 +9,8 @@
 #include "OSspecific.H"
 #include "Time.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -16,27 +18,40 @@ namespace Foam
     defineTypeNameAndDebug(couplingRestart, 0);
 }
 
-const Foam::word Foam::couplingRestart::properties_("liggghtsCouplingProperties");
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fileName Foam::couplingRestart::grainFile(const fileName& timePath)
+Foam::word Foam::couplingRestart::digits(const scalar number)
 {
-    return timePath/"uniform"/"liggghts.restart";
+    return std::to_string(std::llround(number));
 }
 
 
-bool Foam::couplingRestart::foundElsewhere(const Time& time)
+Foam::wordList Foam::couplingRestart::optionalFiles() const
 {
-    for (const instant& i : time.times())
+    wordList names;
+    const objectRegistry& fields = mesh_.thisDb();
+    forAllConstIters(fields, iter)
     {
-        if (isFile(grainFile(time.path()/i.name()), false))
+        const regIOobject& object = *iter();
+        const word& name = object.name();
+        const bool former =
+            name.endsWith("_0") || name.startsWith("ddt0(");
+
+        if
+        (
+            object.writeOpt() == IOobject::AUTO_WRITE
+         && (former || object.readOpt() == IOobject::READ_IF_PRESENT)
+         && object.instance() != mesh_.time().constant()
+         && object.local().empty()
+        )
         {
-            return true;
+            names.append(name);
         }
     }
-    return false;
+    names.append(momentum_.files());
+    Foam::sort(names);
+    return names;
 }
 
 
@@ -47,7 +62,8 @@ Foam::couplingRestart::couplingRestart
     const fvMesh& mesh,
     liggghtsSession& session,
     const grainMomentum& momentum,
-    couplingLog& log
+    couplingLog& log,
+    const formerRun& former
 )
 :
     regIOobject
@@ -66,57 +82,15 @@ Foam::couplingRestart::couplingRestart
     momentum_(momentum),
     log_(log)
 {
-    const IOdictionary former
-    (
-        IOobject
-        (
-            properties_,
-            mesh.time().timeName(),
-            "uniform",
-            mesh.time(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    scalar inserted = 0;
-    if (former.readIfPresent("inserted", inserted))
+    if (former.continues())
     {
-        session_.setInserted(inserted);
-        log_.setLeft(former.get<scalar>("left"));
+        session_.setInserted(former.inserted());
+        log_.setLeft(former.left());
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::fileName Foam::couplingRestart::startFile(const Time& time)
-{
-    fileName file;
-
-    if (Pstream::master())
-    {
-        file = grainFile(time.timePath());
-        if (!isFile(file, false))
-        {
-            file = foundElsewhere(time) ? "missing" : "";
-        }
-    }
-    Pstream::scatter(file);
-
-    if (file == "missing" && time.value() > 0)
-    {
-        FatalErrorInFunction
-            << "The grains of time " << time.timeName() << " are missing: there is no"
-            << " complete file " << grainFile(time.timePath())
-            << ", while other times of this case have theirs.\n"
-            << "    The run was probably killed while writing. Remove the folder of this"
-            << " time, or set startTime to a complete one" << exit(FatalError);
-    }
-
-    return file == "missing" ? fileName() : file;
-}
-
 
 bool Foam::couplingRestart::writeObject
 (
@@ -128,28 +102,64 @@ bool Foam::couplingRestart::writeObject
 {
     const Time& time = mesh_.time();
 
-    momentum_.write();
-
-    IOdictionary counters
-    (
-        IOobject
+    const auto uniform = [&time](const word& name)
+    {
+        return IOobject
         (
-            properties_,
+            name,
             time.timeName(),
             "uniform",
             time,
             IOobject::NO_READ,
             IOobject::NO_WRITE,
             false
-        )
-    );
-    counters.add("inserted", session_.counts().inserted);
-    counters.add("left", log_.left());
-    counters.regIOobject::write();
+        );
+    };
 
-    fileName file(grainFile(time.timePath()));
-    Pstream::scatter(file);
-    session_.writeRestart(time.relativePath(file));
+    // The grains get their name when all that belongs to them is there
+    fileName path
+    (
+        fileHandler().objectPath(uniform(formerRun::grainsName), word::null)
+    );
+    Pstream::scatter(path);
+    const fileName partial(path + ".partial");
+    if (Pstream::master())
+    {
+        Foam::mkDir(path.path());
+    }
+    const auto grains = session_.writeRestart(time.relativePath(partial));
+
+    momentum_.write();
+
+    // Numbers of any size are written with all their digits, as words
+    IOdictionary counters(uniform(formerRun::propertiesName));
+    counters.add("inserted", digits(session_.counts().inserted));
+    counters.add("left", digits(log_.left()));
+    counters.add("demStep", digits(grains.step));
+    counters.add("grains", digits(grains.grains));
+    counters.add("stamp", digits(grains.stamp));
+    scalar bytes = 0;
+    if (Pstream::master())
+    {
+        bytes = Foam::fileSize(partial);
+    }
+    Pstream::scatter(bytes);
+    counters.add("bytes", digits(bytes));
+    counters.add("files", optionalFiles());
+    counters.regIOobject::writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+
+    const bool renamed = !Pstream::master() || Foam::mv(partial, path);
+    if (!returnReduce(renamed, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Cannot write " << path << exit(FatalError);
+    }
 
     return true;
 }

@@ -226,11 +226,11 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
             coeffs_.lookupOrDefault<fileName>("log", "log.liggghts")
         )
     );
-    const fileName grainFile(couplingRestart::startFile(mesh.time()));
+    const formerRun former(mesh);
     {
         // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
         const noFloatTraps quiet;
-        session_->start(script_, mesh.time().relativePath(grainFile));
+        session_->start(script_, former.grains());
     }
     checkTimeStep();
     checkOverlap();
@@ -240,11 +240,18 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     setGravity();
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
-    guests_->forget();
-    guests_->locate([](const label, const UList<guestGrain>&){});
+    if (former.continues())
+    {
+        guests_->recall();
+    }
+    else
+    {
+        guests_->forget();
+        guests_->locate([](const label, const UList<guestGrain>&){});
+    }
 
     const scalar present = session_->counts().present;
-    if (present > 0 && guests_->outside() == present)
+    if (!former.continues() && present > 0 && guests_->outside() == present)
     {
         FatalIOErrorInFunction(coeffs_)
             << "None of the " << present << " grains of " << script_
@@ -257,11 +264,11 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     restart_.reset
     (
-        new couplingRestart(mesh, session_(), momentum_(), log_)
+        new couplingRestart(mesh, session_(), momentum_(), log_, former)
     );
 
     Info<< "    LIGGGHTS: " << script_ << ", " << present
-        << (grainFile.empty() ? " new" : " continued") << " grains, "
+        << (former.continues() ? " continued" : " new") << " grains, "
         << interval_ << " DEM steps of " << session_->timeStep()
         << " s per fluid step" << nl << endl;
 }

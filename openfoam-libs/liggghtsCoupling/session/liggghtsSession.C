@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "liggghtsSession.H"
+#include "inFolder.H"
 #include "sessionError.H"
 #include "fluid-force/fluid_force_exchange.h"
 #include "host/grainjet_version.h"
@@ -16,7 +17,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix.h"
 #include "fix_gravity.h"
 #include "force.h"
@@ -27,43 +27,9 @@
 #include "update.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <unistd.h>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-// File names in a script are relative to the case folder, while the solver may run
-// anywhere (option -case). Restores the solver's folder in the end.
-class inFolder
-{
-    char before_[4096];
-
-public:
-
-    explicit inFolder(const std::string& folder)
-    {
-        if (!getcwd(before_, sizeof(before_)) || chdir(folder.c_str()))
-        {
-            Foam::sessionError("Cannot enter the case folder " + folder);
-        }
-    }
-
-    ~inFolder()
-    {
-        if (chdir(before_))
-        {
-            Foam::sessionError(std::string("Cannot return to the folder ") + before_);
-        }
-    }
-};
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -184,9 +150,9 @@ void Foam::liggghtsSession::setup()
     // What the run command does, but with an end that is never reached, so that output
     // and insertion are scheduled once and go on over all coupling intervals
     LAMMPS_NS::Update* update = lmp_->update;
-    const int unlimited = std::numeric_limits<int>::max();
+    const LAMMPS_NS::bigint unlimited = LAMMPS_NS::bigint(1) << 60;
     update->whichflag = 1;
-    update->nsteps = unlimited;
+    update->nsteps = std::numeric_limits<int>::max();
     update->firststep = update->beginstep = update->ntimestep;
     update->laststep = update->endstep = update->ntimestep + unlimited;
 
@@ -204,6 +170,8 @@ Foam::liggghtsSession::liggghtsSession
 )
 :
     folder_(folder),
+    log_(log),
+    lock_(-1),
     lmp_(nullptr),
     fluidForce_(nullptr),
     contact_(nullptr),
@@ -213,8 +181,8 @@ Foam::liggghtsSession::liggghtsSession
     sessionPlace::log = log;
 
     // A screen is needed (some commands print to it unasked), an open log is not
-    // wanted in the solver's output
-    std::string words[] = {"liggghts", "-log", log, "-screen", "/dev/null"};
+    // wanted in the solver's output. start() knows how the log is to be opened
+    std::string words[] = {"liggghts", "-log", "none", "-screen", "/dev/null"};
     char* arguments[5];
     for (int i = 0; i < 5; ++i)
     {
@@ -240,6 +208,10 @@ Foam::liggghtsSession::~liggghtsSession()
     MPI_Comm world = lmp_->world;
     lammps_close(lmp_);
     MPI_Comm_free(&world);
+    if (lock_ >= 0)
+    {
+        close(lock_);
+    }
 }
 
 
@@ -248,7 +220,7 @@ Foam::liggghtsSession::~liggghtsSession()
 void Foam::liggghtsSession::start
 (
     const std::string& script,
-    const std::string& restart
+    const restartFile& former
 )
 {
     inFolder here(folder_);
@@ -256,13 +228,14 @@ void Foam::liggghtsSession::start
     sessionPlace::script = script;
     sessionPlace::inScript = true;
 
-    const bool continued = !restart.empty();
+    const bool continued = !former.file.empty();
+    openLog(continued);
     for
     (
         const std::string& variable :
         {
             std::string("continued equal ") + (continued ? "1" : "0"),
-            "restart string " + (continued ? restart : std::string("none"))
+            "restart string " + (continued ? former.file : std::string("none"))
         }
     )
     {
@@ -273,15 +246,9 @@ void Foam::liggghtsSession::start
     check();
     findFixes();
 
-    if (continued && lmp_->update->ntimestep == 0)
+    if (continued)
     {
-        sessionError
-        (
-            "Script " + script + ": the run continues a former one, but the script"
-            " has not read its grains from " + restart
-          + "\n    Where it makes the box, let it do instead, if \"${restart} != none\","
-            "\n    read_restart ${restart}"
-        );
+        checkContinued(former);
     }
 
     cg_.assign(1, 1);
@@ -293,22 +260,6 @@ void Foam::liggghtsSession::start
     setup();
 
     insertedOffset_ = lmp_->atom->natoms - insertedByFixes();
-}
-
-
-void Foam::liggghtsSession::writeRestart(const std::string& file)
-{
-    inFolder here(folder_);
-
-    const std::string partial = file + ".partial";
-    lmp_->update->whichflag = 0;
-    lmp_->input->one(("write_restart " + partial).c_str());
-    if (lmp_->comm->me == 0 && std::rename(partial.c_str(), file.c_str()))
-    {
-        lmp_->error->one(FLERR, ("Cannot write " + file).c_str());
-    }
-
-    setup();
 }
 
 

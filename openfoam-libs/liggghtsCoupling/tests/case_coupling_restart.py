@@ -17,6 +17,15 @@ FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient"
           "particleMomentumSource", "particleMomentumOwed")
 
 
+def end_at(folder, steps):
+    """Have the next run end after so many steps."""
+    control = folder / "system/controlDict"
+    text = control.read_text()
+    start = text.index("endTime", text.index("stopAt endTime;") + 15)
+    stop = text.index(";", start)
+    control.write_text(f"{text[:start]}endTime {steps * 1e-4!r}{text[stop:]}")
+
+
 class Restart(grainjet.Case):
 
     def write(self, name, steps):
@@ -30,13 +39,6 @@ class Restart(grainjet.Case):
         box.fv_options(folder, interpolation="cell")
         return folder
 
-    def end_at(self, folder, steps):
-        control = folder / "system/controlDict"
-        text = control.read_text()
-        start = text.index("endTime", text.index("stopAt endTime;") + 15)
-        stop = text.index(";", start)
-        control.write_text(f"{text[:start]}endTime {steps * 1e-4!r}{text[stop:]}")
-
     def interrupted(self, ranks=0):
         """40 steps in one run, and in two runs of 20."""
         whole, parts = self.write("whole", 40), self.write("parts", 20)
@@ -45,7 +47,7 @@ class Restart(grainjet.Case):
             if ranks:
                 self.foam("decomposePar", folder)
             self.foam("pimpleFoam", folder, ranks)
-        self.end_at(parts, 40)
+        end_at(parts, 40)
         result = self.foam("pimpleFoam", parts, ranks)
         self.assertIn("300 continued grains", result.output)
         # what the first run still owed the fluid is not taken for an imbalance
@@ -84,24 +86,11 @@ class Restart(grainjet.Case):
         self.foam("pimpleFoam", folder)
         grains = folder / "0.004/uniform/liggghts.restart"
         grains.rename(grains.with_suffix(".restart.partial"))
-        self.end_at(folder, 60)
+        end_at(folder, 60)
         result = self.foam("pimpleFoam", folder, check=False)
         self.assertFails(result, "grains of time 0.004 are missing", "liggghts.restart")
         shutil.rmtree(folder / "0.004")
         self.foam("pimpleFoam", folder)
-
-    def test_script_that_ignores_the_restart(self):
-        folder = self.write("ignores", 20)
-        self.foam("blockMesh", folder)
-        self.foam("pimpleFoam", folder)
-        script = folder / "constant/in.particles"
-        lines = [line for line in script.read_text().splitlines() if "restart" not in line]
-        at = next(i for i, line in enumerate(lines) if line.startswith("neighbor"))
-        lines.insert(at, "include constant/new.grains")
-        script.write_text("\n".join(lines) + "\n")
-        self.end_at(folder, 40)
-        result = self.foam("pimpleFoam", folder, check=False)
-        self.assertFails(result, "has not read its grains", "read_restart ${restart}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,254 @@
+"""What a continued run lacks is an error that names file and time, never a fresh start; and so is
+a script that does not continue the grains it is given."""
+# processors: 2
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import coupled_box as box
+import grainjet
+from case_coupling import swarm
+from case_coupling_restart import end_at
+
+LAST = "0.0004"
+
+
+class Missing(grainjet.Case):
+
+    def first_run(self, ranks=0, name="case", steps=4, every=4, grains=None, convection="linear", **script):
+        folder = self.folder / name
+        box.write(folder, steps=steps, write_every=every, walls=True, convection=convection)
+        x, v = swarm(5, 3) if grains is None else grains
+        box.script(folder, grains=box.grains(x, v), **script)
+        box.fv_options(folder)
+        self.foam("blockMesh", folder)
+        if ranks:
+            self.foam("decomposePar", folder)
+        self.foam("pimpleFoam", folder, ranks)
+        end_at(folder, steps + 2)
+        return folder
+
+    def go_on(self, folder, ranks=0, check=False):
+        return self.foam("pimpleFoam", folder, ranks, check=check, timeout=120)
+
+    def assertRefused(self, folder, *words, ranks=0):
+        def state():
+            return {p: p.stat().st_mtime for p in folder.glob(f"**/{LAST}/**/*") if "postProcessing" not in p.parts}
+
+        before = state()
+        result = self.go_on(folder, ranks)
+        self.assertFails(result, *words)
+        self.assertNotIn("Starting time loop", result.output)
+        self.assertEqual(before, state())
+
+    def damaged(self, good, damage, ranks=0):
+        bad = self.folder / "bad"
+        shutil.rmtree(bad, ignore_errors=True)
+        shutil.copytree(good, bad)
+        damage(bad / ("processor0" if ranks else "") / LAST)
+        return bad
+
+    @staticmethod
+    def cut(path, to):
+        with open(path, "r+b") as file:
+            file.truncate(int(path.stat().st_size * to))
+
+    def check_files(self, ranks):
+        good = self.first_run(ranks)
+        grains = "uniform/liggghts.restart"
+        table = [
+            (lambda t: (t / grains).unlink(), "grains of time 0.0004 are missing"),
+            (lambda t: (t / grains).rename(t / (grains + ".partial")), "grains of time 0.0004 are missing"),
+            (lambda t: shutil.rmtree(t / "uniform"), "grains of time 0.0004 are missing"),
+            (lambda t: self.cut(t / grains, 0), "has 0 bytes instead of"),
+            (lambda t: self.cut(t / grains, 0.7), "bytes instead of"),
+            (lambda t: (t / "uniform/liggghtsCouplingProperties").unlink(), "liggghtsCouplingProperties"),
+            (lambda t: self.cut(t / "uniform/liggghtsCouplingProperties", 0.6), "liggghtsCouplingProperties"),
+            (lambda t: (t / "particleMomentumOwed").unlink(), "particleMomentumOwed"),
+            (lambda t: self.cut(t / "particleMomentumOwed", 0), "particleMomentumOwed"),
+            (lambda t: self.cut(t / "particleMomentumOwed", 0.5), "particleMomentumOwed"),
+            (lambda t: (t / "phi").unlink(), "/phi"),
+            (lambda t: self.cut(t / "phi", 0), "/phi"),
+        ]
+        if ranks:
+            table = table[::4]
+        for number, (damage, words) in enumerate(table):
+            with self.subTest(number=number, words=words):
+                self.assertRefused(self.damaged(good, damage, ranks), words, LAST, ranks=ranks)
+        self.assertIn("continued grains", self.go_on(good, ranks, check=True).output)
+
+    def test_files(self):
+        self.check_files(0)
+
+    def test_files_parallel(self):
+        self.check_files(2)
+
+    def test_missing_on_one_rank_only(self):
+        good = self.first_run(2)
+        for name in ("particleMomentumOwed", "phi"):
+            with self.subTest(name=name):
+                bad = self.damaged(good, lambda t: (t.parents[1] / "processor1" / LAST / name).unlink(), 2)
+                self.assertRefused(bad, name, LAST, ranks=2)
+
+    def test_old_time_of_a_second_order_scheme(self):
+        """The flow of a step before, which OpenFOAM would do without silently."""
+        folder = self.folder / "case"
+        box.write(folder, steps=4, walls=True)
+        schemes = folder / "system/fvSchemes"
+        schemes.write_text(schemes.read_text().replace("default Euler", "default backward"))
+        box.script(folder, grains=box.grains(*swarm(5, 3)))
+        box.fv_options(folder)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        end_at(folder, 6)
+        self.assertIn("continued grains", self.go_on(folder, check=True).output)
+        shutil.rmtree(folder / "0.0006", ignore_errors=True)
+        (folder / LAST / "U_0").unlink()
+        self.assertRefused(folder, "U_0", LAST)
+
+    def test_killed_in_the_first_write(self):
+        """Nothing of the coupling is there yet: the table of the balance proves that grains are."""
+        folder = self.first_run()
+        shutil.rmtree(folder / LAST / "uniform")
+        for name in ("voidFraction", "particleVelocity", "dragCoefficient", "particleMomentumSource",
+                     "particleMomentumOwed"):
+            (folder / LAST / name).unlink()
+        self.assertRefused(folder, "grains of time 0.0004 are missing", "balance.dat")
+        # as the message says: without the trace it is another flow to begin in
+        shutil.rmtree(folder / "postProcessing")
+        self.assertIn("5 new grains", self.go_on(folder, check=True).output)
+
+    def test_new_grains_in_a_flow_without_grains(self):
+        """A developed flow of a run without coupling is a place to begin."""
+        folder = self.folder / "case"
+        box.write(folder, steps=4, walls=True)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        end_at(folder, 6)
+        box.script(folder, grains=box.grains(*swarm(5, 3)))
+        box.fv_options(folder)
+        self.assertIn("5 new grains", self.go_on(folder, check=True).output)
+
+    def test_kill(self):
+        """Killed at any moment, a run goes on bit for bit or says what is incomplete."""
+        whole = self.first_run(steps=40, every=1, name="whole")
+        end_at(whole, 40)
+        killed = self.folder / "killed"
+        continued = 0
+        for moment in (0.15, 0.5, 0.62, 0.9):
+            shutil.rmtree(killed, ignore_errors=True)
+            shutil.copytree(whole, killed, ignore=shutil.ignore_patterns("0.0*", "postProcessing", "log*"))
+            process = subprocess.Popen(["pimpleFoam"], cwd=killed, env={**grainjet.ENV, "PWD": str(killed)},
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            # as soon as it has come so far: by the step, which no load of the machine moves
+            for line in process.stdout:
+                if line.startswith(b"Time = ") and float(line.split()[-1]) > moment * 0.004:
+                    break
+            time.sleep(0.01 * moment)
+            os.kill(process.pid, signal.SIGKILL)
+            process.communicate()
+            result = self.go_on(killed)
+            if result.code:
+                self.assertTrue("was written by a coupled run" in result.output
+                                or "FOAM FATAL IO ERROR" in result.output
+                                or "cannot find file" in result.output, result)
+                continue
+            continued += 1
+            for field in ("U", "p", "phi", "particleMomentumOwed"):
+                self.assertEqual((whole / "0.004" / field).read_bytes(),
+                                 (killed / "0.004" / field).read_bytes(), field)
+        self.assertGreater(continued, 0)
+
+    # ---- scripts
+
+    def edit(self, folder, *pairs):
+        script = folder / "constant/in.particles"
+        text = script.read_text()
+        for old, new in pairs:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        script.write_text(text)
+
+    def test_grains_that_are_not_read(self):
+        """With and without a run of its own, which used to make the DEM step look like that of a
+        continued run. The text that the message recommends works as it is printed."""
+        for run in ("", "run 1", "run 40"):
+            with self.subTest(run=run):
+                shutil.rmtree(self.folder / "case", ignore_errors=True)
+                folder = self.first_run()
+                self.edit(folder, ('if "${continued}" then "jump SELF continued"\n', ""), ("thermo 1000", run))
+                result = self.go_on(folder)
+                self.assertFails(result, "has not read its grains from 0.0004/uniform/liggghts.restart",
+                                 'if "${continued}" then "jump SELF continued"')
+
+                said = result.output[result.output.index('    if "${continued}"'):]
+                said = said[:said.index("label ready") + len("label ready")]
+                said = said.replace("region box block ...", "region box block 0 0.02 0 0.02 0 0.04 units box")
+                script = folder / "constant/in.particles"
+                text = script.read_text()
+                start, stop = text.index("include constant/new.grains"), text.index("label ready\n")
+                script.write_text(text[:start] + said + text[stop + len("label ready"):].replace(run, ""))
+                self.assertIn("5 continued grains", self.go_on(folder, check=True).output)
+
+    def test_grains_of_another_file(self):
+        folder = self.first_run(steps=4, every=2)
+        self.edit(folder, ("read_restart ${restart}", "read_restart 0.0002/uniform/liggghts.restart"))
+        self.assertRefused(folder, "of DEM step 20, not 40", "read_restart ${restart}")
+
+    def test_run_that_is_made_again(self):
+        """The text that the message recommends works as it is printed; run 0 moves nothing."""
+        folder = self.first_run()
+        self.edit(folder, ("thermo 1000", "run 7"))
+        result = self.go_on(folder)
+        self.assertFails(result, "from DEM step 40", "to step 47", 'if "${continued} == 0" then "run 1000"')
+        self.edit(folder, ("run 7", 'if "${continued} == 0" then "run 7"\nrun 0'))
+        self.assertIn("5 continued grains", self.go_on(folder, check=True).output)
+        shutil.rmtree(folder / LAST)
+        self.assertIn("5 new grains", self.go_on(folder, check=True).output)
+
+    def test_grains_that_are_made_again(self):
+        folder = self.first_run()
+        self.edit(folder, ("thermo 1000", "run 0\ngroup one id 1\ndelete_atoms group one"))
+        self.assertRefused(folder, "makes 4 grains of the 5 of 0.0004/uniform/liggghts.restart")
+
+    def test_another_name_of_the_fix(self):
+        folder = self.first_run()
+        self.edit(folder, ("fix fluid all", "fix another all"))
+        self.assertRefused(folder, "gives fix fluid/force another ID", "0.0004/uniform/liggghts.restart")
+
+    # ---- the log, and two runs at once
+
+    def test_log_is_kept(self):
+        folder = self.first_run()
+        first = (folder / "log.liggghts").read_text()
+        self.go_on(folder, check=True)
+        self.assertTrue((folder / "log.liggghts").read_text().startswith(first))
+
+    def test_two_runs_in_one_case(self):
+        folder = self.first_run()
+        end_at(folder, 100000)
+        control = folder / "system/controlDict"
+        control.write_text(control.read_text().replace("writeInterval 4", "writeInterval 100000"))
+        other = subprocess.Popen(["pimpleFoam"], cwd=folder, env={**grainjet.ENV, "PWD": str(folder)},
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        try:
+            for line in other.stdout:
+                if line.startswith(b"Time = "):
+                    break
+            self.assertFails(self.go_on(folder), "Another run is writing the log file log.liggghts")
+        finally:
+            other.kill()
+            other.communicate()
+        end_at(folder, 6)
+        self.assertEqual(self.go_on(folder).code, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
