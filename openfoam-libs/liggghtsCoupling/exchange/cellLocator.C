@@ -8,20 +8,25 @@
 #include "SubField.H"
 #include "cyclicPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
+#include "indexedOctree.H"
 #include "syncTools.H"
+#include "treeDataCell.H"
+
+#include <limits>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellLocator::cellLocator(const polyMesh& mesh)
 :
     mesh_(mesh),
+    bounds_(mesh.bounds()),
     blocks_(),
     firstBlock_(),
     nFaces_(0),
+    nBehind_(0),
+    tets_(mesh),
     low_(Zero),
-    period_(Zero),
     high_(Zero),
-    half_(Zero),
     imagesFromAnywhere_(true),
     nSearches_(0)
 {
@@ -33,8 +38,19 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
     label nBlocks = 0;
     labelList first(cells.size());
+    // A point on the boundary may lie outside by its last digit
+    bounds_.inflate(1e-6);
+
     forAll(cells, celli)
     {
+        if (cells[celli].size() > std::numeric_limits<std::uint16_t>::max())
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh.cellCentres()[celli] << " has "
+                << cells[celli].size() << " faces; grains can be found in cells of up to "
+                << std::numeric_limits<std::uint16_t>::max()
+                << ". Split it (see checkMesh)" << exit(FatalError);
+        }
         first[celli] = nBlocks;
         nBlocks += (cells[celli].size() + nLanes - 1)/nLanes;
     }
@@ -48,6 +64,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     {
         const point& centre = mesh.cellCentres()[celli];
         const label n = cells[celli].size();
+        const scalar margin = marginOf(celli);
         faceBlock* block = blocks_.data() + first[celli];
 
         for (label i = 0; i < (n + nLanes - 1)/nLanes*nLanes; ++i)
@@ -57,6 +74,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
             faces.centre = centre;
             faces.nFaces = n;
+            faces.setMargin(margin);
             faces.firstFace = nFaces_;
             faces.set(lane, Zero, 1e30, -1);
 
@@ -96,9 +114,8 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 void Foam::cellLocator::setPeriod(const point& low, const vector& period)
 {
     low_ = low;
-    period_ = period;
     high_ = low + period;
-    half_ = period/2;
+    image_ = periodicImage{period, period/2};
     imagesFromAnywhere_ = true;
     for (direction k = 0; k < 3; ++k)
     {
@@ -112,7 +129,7 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
         const bool longer = mesh_.bounds().span()[k] > (1 + 1e-6)*period[k];
         if (period[k] <= 0 || longer)
         {
-            half_[k] = VGREAT;
+            image_.half[k] = VGREAT;
         }
         if (period[k] > 0 && longer)
         {
@@ -120,6 +137,9 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
         }
     }
 
+    tets_.setImages(image_);
+
+    foreign_.clear();
     labelList cells;
     syncTools::swapBoundaryCellList(mesh_, identity(mesh_.nCells()), cells);
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -133,6 +153,43 @@ void Foam::cellLocator::setPeriod(const point& low, const vector& period)
             link(refCast<const processorPolyPatch>(patch), cells);
         }
     }
+
+    nBehind_ = foreign_.size();
+    for (const tetCells::visitor& cell : tets_.visitors())
+    {
+        foreign_.append(foreignCell{cell.rank, cell.cell});
+    }
+}
+
+
+Foam::scalar Foam::cellLocator::marginOf(const label celli) const
+{
+    const point& centre = mesh_.cellCentres()[celli];
+    scalar warp = 0;
+    scalar nearest = GREAT;
+    scalar radius = 0;
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const vector& area = mesh_.faceAreas()[facei];
+        const point& faceCentre = mesh_.faceCentres()[facei];
+        const vector normal(area/(mag(area) + VSMALL));
+        const bool owned = (mesh_.faceOwner()[facei] == celli);
+        const scalar h = (owned ? 1 : -1)*(normal & (faceCentre - centre));
+        if (h <= VSMALL)
+        {
+            return GREAT;
+        }
+        nearest = min(nearest, h);
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            const point& p = mesh_.points()[pointi];
+            warp = max(warp, mag(normal & (p - faceCentre))/h);
+            radius = max(radius, mag(p - centre));
+        }
+    }
+
+    // Three products and their sum in single precision are good to 3e-7 of the terms
+    return 4e-6 + warp + 4e-7*radius/nearest;
 }
 
 
@@ -141,8 +198,8 @@ bool Foam::cellLocator::isPeriod(const vector& apart) const
     for (direction k = 0; k < 3; ++k)
     {
         vector period(Zero);
-        period[k] = sign(apart[k])*period_[k];
-        if (half_[k] < VGREAT && mag(apart - period) < 1e-6*period_[k])
+        period[k] = sign(apart[k])*image_.period[k];
+        if (image_.half[k] < VGREAT && mag(apart - period) < 1e-6*image_.period[k])
         {
             return true;
         }
@@ -236,35 +293,60 @@ Foam::label Foam::cellLocator::aroundBoundary
 }
 
 
+Foam::cellLocator::place Foam::cellLocator::settle
+(
+    const point& p,
+    const label celli,
+    const view& seen,
+    label& next
+) const
+{
+    const label holder = tets_.holder(p, celli, seen.face, seen.behind);
+    if (holder >= 0)
+    {
+        return placeIn(holder, holder == celli ? seen : look(p, holder));
+    }
+    next =
+        holder < -1 ? holder - nBehind_
+      : seen.least >= 0 ? -1
+      : seen.behind != -1 ? seen.behind : aroundBoundary(p, celli);
+    return place{-1, 0, -1};
+}
+
+
 Foam::cellLocator::place Foam::cellLocator::find
 (
     const point& p,
-    const label hint
+    const label hint,
+    label& end
 ) const
 {
-    label end = -1;
     const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
     if (near.cell >= 0)
     {
         return near;
     }
 
+    end = -1;
     const point inside(wrap(p));
-    if (!mesh_.nCells() || !mesh_.bounds().contains(inside))
+    if (!mesh_.nCells() || !bounds_.contains(inside))
     {
         return {-1, 0, -1};
     }
 
     ++nSearches_;
     const label celli = mesh_.findCell(inside);
-    if (celli < 0)
+    if (celli >= 0)
     {
-        return {-1, 0, -1};
+        // One of those whose tetrahedra hold it, or touch it
+        const place exact = settle(inside, celli, look(inside, celli), end);
+        return
+            exact.cell < 0 && !leadsAway(end) ? place{celli, 0, -1} : exact;
     }
 
-    // On warped faces tetrahedra and planes differ a little: the tetrahedra decide
-    const place exact = walk(inside, celli, end);
-    return exact.cell == celli ? exact : place{celli, 0, -1};
+    // A point on the boundary may lie outside by its last digit
+    label away;
+    return walk(inside, mesh_.cellTree().findNearest(inside, GREAT).index(), away);
 }
 
 
@@ -276,7 +358,7 @@ Foam::cellLocator::place Foam::cellLocator::findOrFollow
 ) const
 {
     const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
-    return near.cell >= 0 || leadsAway(end) ? near : find(p, -1);
+    return near.cell >= 0 || leadsAway(end) ? near : find(p, -1, end);
 }
 
 

@@ -137,7 +137,7 @@ void Foam::guestGrains::locate(const Found& found)
             label end = -1;
             const cellLocator::place place =
                 hint >= 0 ? locator_.findOrFollow(guest.position, hint, end)
-              : locator_.find(guest.position, near);
+              : locator_.find(guest.position, near, end);
 
             if (place.cell >= 0)
             {
@@ -171,9 +171,10 @@ void Foam::guestGrains::locate(const Found& found)
         }
 
         // Not searched here so far, if it was sent elsewhere at once
+        label end;
         const cellLocator::place place =
             firstRank[i] >= 0
-          ? locator_.find(away[i].position, -1)
+          ? locator_.find(away[i].position, -1, end)
           : cellLocator::place{-1, 0, -1};
 
         if (place.cell >= 0)

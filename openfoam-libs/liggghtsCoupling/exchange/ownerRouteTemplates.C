@@ -10,13 +10,13 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class T, class Take>
-Foam::label Foam::ownerRoute::exchange
+std::int64_t Foam::ownerRoute::exchange
 (
     const List<DynamicList<T>>& lists,
     const Take& take
 )
 {
-    label bytes = 0;
+    std::int64_t bytes = 0;
 
     if (!Pstream::parRun())
     {
@@ -25,7 +25,7 @@ Foam::label Foam::ownerRoute::exchange
 
     for (const DynamicList<T>& list : lists)
     {
-        bytes += list.size()*sizeof(T);
+        bytes += std::int64_t(list.size())*sizeof(T);
     }
 
     List<DynamicList<T>> received(Pstream::nProcs());

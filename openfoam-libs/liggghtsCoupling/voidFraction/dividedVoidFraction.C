@@ -43,6 +43,11 @@ const scalar innerShell = shellRadius(1, 15);
 const scalar outerShell = shellRadius(15, 29);
 
 
+// Points whose distance from a plane is less than this, relative to what it is made of, may lie
+// on the face: their cell is looked up. Planes are known to 3e-7, and within 1e-6 is on a face
+const scalar onPlane = 2e-6;
+
+
 const Foam::label nDirections = 7;
 
 // Half of the directions of a shell's points; the others are opposite to them
@@ -96,8 +101,8 @@ struct reach
         along[6] = c*(n.x() - n.y() - n.z());
     }
 
-    // How many of its points lie farther than `distance`, which is not negative: of a pair
-    // at most one
+    // How many of its points lie farther than `distance`, if that is not negative: of a pair
+    // at most one. For a smaller one just more
     Foam::label nBeyond(const scalar distance) const
     {
         Foam::label count = 0;
@@ -148,13 +153,8 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         return false;
     }
-    const cellLocator::lanes inside
-    (
-        here.distance
-        (
-            here.relative(locator_.fromCentre(guest.position, here))
-        )
-    );
+    const vector fromCentre(locator_.fromCentre(guest.position, here));
+    const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
 
     const unsigned reached = inside.atMost(outermost);
     if (!isSingle(reached))
@@ -192,7 +192,13 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
 
-    const label n = reach(here.normal(near), guest.radius).nBeyond(distance);
+    const reach outward(here.normal(near), guest.radius);
+    const scalar uncertain = onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + guest.radius);
+    const label n = outward.nBeyond(distance + uncertain);
+    if (n != outward.nBeyond(distance - uncertain))
+    {
+        return false;
+    }
     if (n > 0)
     {
         shares.add(number, guest.cell, scalar(nParts - n)/nParts);
@@ -215,10 +221,11 @@ void Foam::dividedVoidFraction::sharePoints
     label behind[nParts];
     std::fill(room, room + nParts, VGREAT);
     std::fill(behind, behind + nParts, -1);
-    room[0] = 0;
 
     const cellLocator::faceBlock* faces = locator_.block(guest.cell);
     const vector fromCentre(locator_.fromCentre(guest.position, *faces));
+    const scalar uncertain =
+        2*onPlane*(cmptSum(cmptMag(fromCentre)) + guest.radius);
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
@@ -270,7 +277,7 @@ void Foam::dividedVoidFraction::sharePoints
 
     for (label i = 0; i < nParts; ++i)
     {
-        if (room[i] >= 0)
+        if (room[i] > uncertain)
         {
             count(guest.cell);
             continue;

@@ -22,7 +22,7 @@ void Foam::grainShares::settle(const CellOf& cellOf)
             const cellLocator::place place =
                 item.cell >= 0
               ? locator_.findOrFollow(item.position, item.cell, end)
-              : locator_.find(item.position, near);
+              : locator_.find(item.position, near, end);
 
             if (place.cell >= 0)
             {
@@ -54,7 +54,8 @@ void Foam::grainShares::settle(const CellOf& cellOf)
         {
             const satellite& item = satellites_[i];
             const label start = (hint < 0 ? cellOf(item.guest) : hint);
-            const label celli = locator_.find(item.position, start).cell;
+            label end;
+            const label celli = locator_.find(item.position, start, end).cell;
             hint = (celli < 0 ? hint : celli);
             late_.append
             (
