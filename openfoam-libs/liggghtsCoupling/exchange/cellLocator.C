@@ -344,9 +344,11 @@ Foam::cellLocator::place Foam::cellLocator::find
             exact.cell < 0 && !leadsAway(end) ? place{celli, 0, -1} : exact;
     }
 
-    // A point on the boundary may lie outside by its last digit
+    // A point on the boundary may lie outside by its last digit; a walk would have found it
     label away;
-    return walk(inside, mesh_.cellTree().findNearest(inside, GREAT).index(), away);
+    return
+        hint >= 0 ? place{-1, 0, -1}
+      : walk(inside, mesh_.cellTree().findNearest(inside, GREAT).index(), away);
 }
 
 

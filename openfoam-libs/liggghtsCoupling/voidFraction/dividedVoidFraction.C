@@ -43,9 +43,9 @@ const scalar innerShell = shellRadius(1, 15);
 const scalar outerShell = shellRadius(15, 29);
 
 
-// Points whose distance from a plane is less than this, relative to what it is made of, may lie
-// on the face: their cell is looked up. Planes are known to 3e-7, and within 1e-6 is on a face
-const scalar onPlane = 2e-6;
+// How well normals of planes in single precision tell how far a point of a sphere lies along them,
+// relative to the sphere's radius
+const scalar singlePrecision = 4e-7;
 
 
 const Foam::label nDirections = 7;
@@ -153,10 +153,14 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         return false;
     }
-    const vector fromCentre(locator_.fromCentre(guest.position, here));
-    const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
+    const cellLocator::lanes r
+    (
+        here.relative(locator_.fromCentre(guest.position, here))
+    );
 
-    const unsigned reached = inside.atMost(outermost);
+    // Within the margin planes do not tell which points are beyond the face
+    const float margin = here.rMargin();
+    const unsigned reached = here.distance(r, margin).atMost(outermost);
     if (!isSingle(reached))
     {
         return false;
@@ -167,7 +171,7 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
     const label behind = here.behind[near];
-    const scalar distance = max(scalar(inside[near]), scalar(0));
+    const scalar distance = max(scalar(here.distance(r)[near]), scalar(0));
 
     // The sphere must not reach the other faces of the cell behind either
     const cellLocator::faceBlock& there = *locator_.block(behind);
@@ -179,7 +183,8 @@ bool Foam::dividedVoidFraction::shareOverFace
     (
         there.distance
         (
-            there.relative(locator_.fromCentre(guest.position, there))
+            there.relative(locator_.fromCentre(guest.position, there)),
+            there.rMargin()
         )
     );
     unsigned shared = 0;
@@ -193,7 +198,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     }
 
     const reach outward(here.normal(near), guest.radius);
-    const scalar uncertain = onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + guest.radius);
+    const scalar uncertain = margin*here.h[near] + singlePrecision*guest.radius;
     const label n = outward.nBeyond(distance + uncertain);
     if (n != outward.nBeyond(distance - uncertain))
     {
@@ -216,7 +221,8 @@ void Foam::dividedVoidFraction::sharePoints
 ) const
 {
     // Only the faces that the sphere may reach decide which points stay. Of each point the
-    // distance inside of the nearest one, and what is behind that
+    // distance inside of the nearest one, less the margin in which planes do not tell, and what
+    // is behind that
     scalar room[nParts];
     label behind[nParts];
     std::fill(room, room + nParts, VGREAT);
@@ -224,13 +230,12 @@ void Foam::dividedVoidFraction::sharePoints
 
     const cellLocator::faceBlock* faces = locator_.block(guest.cell);
     const vector fromCentre(locator_.fromCentre(guest.position, *faces));
-    const scalar uncertain =
-        2*onPlane*(cmptSum(cmptMag(fromCentre)) + guest.radius);
+    const scalar uncertain = singlePrecision*guest.radius;
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
         (
-            faces->distance(faces->relative(fromCentre))
+            faces->distance(faces->relative(fromCentre), faces->rMargin())
         );
         unsigned reached = distance.atMost(outerShell*guest.radius);
         for (; reached; reached &= reached - 1)
