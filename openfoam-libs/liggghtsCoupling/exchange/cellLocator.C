@@ -6,10 +6,7 @@
 
 #include "cellLocator.H"
 #include "SubField.H"
-#include "cyclicPolyPatch.H"
-#include "processorCyclicPolyPatch.H"
 #include "indexedOctree.H"
-#include "syncTools.H"
 #include "treeDataCell.H"
 
 #include <limits>
@@ -111,57 +108,6 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellLocator::setPeriod(const point& low, const vector& period)
-{
-    low_ = low;
-    high_ = low + period;
-    image_ = periodicImage{period, period/2};
-    imagesFromAnywhere_ = true;
-    for (direction k = 0; k < 3; ++k)
-    {
-        if (period[k] <= 0)
-        {
-            low_[k] = -VGREAT;
-            high_[k] = VGREAT;
-        }
-
-        // A mesh that is longer than the period has no place for images
-        const bool longer = mesh_.bounds().span()[k] > (1 + 1e-6)*period[k];
-        if (period[k] <= 0 || longer)
-        {
-            image_.half[k] = VGREAT;
-        }
-        if (period[k] > 0 && longer)
-        {
-            imagesFromAnywhere_ = false;
-        }
-    }
-
-    tets_.setImages(image_);
-
-    foreign_.clear();
-    labelList cells;
-    syncTools::swapBoundaryCellList(mesh_, identity(mesh_.nCells()), cells);
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (isA<cyclicPolyPatch>(patch))
-        {
-            link(refCast<const cyclicPolyPatch>(patch));
-        }
-        else if (isA<processorPolyPatch>(patch))
-        {
-            link(refCast<const processorPolyPatch>(patch), cells);
-        }
-    }
-
-    nBehind_ = foreign_.size();
-    for (const tetCells::visitor& cell : tets_.visitors())
-    {
-        foreign_.append(foreignCell{cell.rank, cell.cell});
-    }
-}
-
-
 Foam::scalar Foam::cellLocator::marginOf(const label celli) const
 {
     const point& centre = mesh_.cellCentres()[celli];
@@ -190,73 +136,6 @@ Foam::scalar Foam::cellLocator::marginOf(const label celli) const
 
     // Three products and their sum in single precision are good to 3e-7 of the terms
     return 4e-6 + warp + 4e-7*radius/nearest;
-}
-
-
-bool Foam::cellLocator::isPeriod(const vector& apart) const
-{
-    for (direction k = 0; k < 3; ++k)
-    {
-        vector period(Zero);
-        period[k] = sign(apart[k])*image_.period[k];
-        if (image_.half[k] < VGREAT && mag(apart - period) < 1e-6*image_.period[k])
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-void Foam::cellLocator::setBehind(const label facei, const label behind)
-{
-    const label celli = mesh_.faceOwner()[facei];
-    const label face = mesh_.cells()[celli].find(facei);
-    faceBlock& faces = blocks_[block(celli) - blocks_.data() + face/nLanes];
-    faces.behind[face % nLanes] = behind;
-}
-
-
-void Foam::cellLocator::link(const cyclicPolyPatch& side)
-{
-    // Other periods than that of the DEM box are none for grains
-    const cyclicPolyPatch& other = side.neighbPatch();
-    forAll(side, i)
-    {
-        if (isPeriod(other.faceCentres()[i] - side.faceCentres()[i]))
-        {
-            setBehind(side.start() + i, other.faceCells()[i]);
-        }
-    }
-}
-
-
-void Foam::cellLocator::link
-(
-    const processorPolyPatch& side,
-    const labelUList& cells
-)
-{
-    const bool periodic = isA<processorCyclicPolyPatch>(side);
-    forAll(side, i)
-    {
-        const label facei = side.start() + i;
-        if
-        (
-            !periodic
-         || isPeriod(side.neighbFaceCentres()[i] - side.faceCentres()[i])
-        )
-        {
-            setBehind(facei, -2 - foreign_.size());
-            foreign_.append
-            (
-                foreignCell
-                {
-                    side.neighbProcNo(), cells[facei - mesh_.nInternalFaces()]
-                }
-            );
-        }
-    }
 }
 
 
@@ -297,11 +176,11 @@ Foam::cellLocator::place Foam::cellLocator::settle
 (
     const point& p,
     const label celli,
-    const view& seen,
+    const view seen,
     label& next
 ) const
 {
-    const label holder = tets_.holder(p, celli, seen.face, seen.behind);
+    const label holder = tets_.holder(p, celli, seen.face);
     if (holder >= 0)
     {
         return placeIn(holder, holder == celli ? seen : look(p, holder));

@@ -53,12 +53,16 @@ void Foam::tetCells::view::consider
     const scalar wb = (toPoint & (c ^ a))/volume;
     const scalar wc = (toPoint & (a ^ b))/volume;
     const scalar sum = mag(wa) + mag(wb) + mag(wc);
-    const scalar h = volume/(mag((b - a) ^ (c - a)) + VSMALL);
-    const scalar d = (1 - wa - wb - wc)*h;
+    if (min(wa, min(wb, wc)) < -1e-9*sum)
+    {
+        return;
+    }
 
     // Seen from the centre through the triangle; triangles side by side show the same on their
     // common edge
-    if (min(wa, min(wb, wc)) >= -1e-9*sum && d > depth)
+    const scalar h = volume/(mag((b - a) ^ (c - a)) + VSMALL);
+    const scalar d = (1 - wa - wb - wc)*h;
+    if (d > depth)
     {
         depth = d;
         height = h;
@@ -86,34 +90,43 @@ void Foam::tetCells::triangles
 }
 
 
-Foam::tetCells::view Foam::tetCells::look
+inline void Foam::tetCells::lookAt
 (
     const vector& toPoint,
     const label celli,
-    const label firstFace
+    const label facei,
+    view& seen
 ) const
 {
     const pointField& points = mesh_.points();
     const point& centre = mesh_.cellCentres()[celli];
-    const cell& faces = mesh_.cells()[celli];
+    const scalar before = seen.depth;
+    triangles
+    (
+        celli,
+        facei,
+        [&](const label a, const label b, const label c)
+        {
+            seen.consider
+            (
+                points[a] - centre, points[b] - centre, points[c] - centre, toPoint
+            );
+        }
+    );
+    seen.face = (seen.depth > before ? facei : seen.face);
+}
 
+
+Foam::tetCells::view Foam::tetCells::look
+(
+    const vector& toPoint,
+    const label celli
+) const
+{
     view seen;
-    for (label i = 0; i < faces.size() && !seen.inside(); ++i)
+    for (const label facei : mesh_.cells()[celli])
     {
-        // The most probable one first
-        const label k = (i == 0 ? firstFace : i <= firstFace ? i - 1 : i);
-        triangles
-        (
-            celli,
-            faces[k],
-            [&](const label a, const label b, const label c)
-            {
-                seen.consider
-                (
-                    points[a] - centre, points[b] - centre, points[c] - centre, toPoint
-                );
-            }
-        );
+        lookAt(toPoint, celli, facei, seen);
     }
     return seen;
 }
@@ -298,8 +311,7 @@ Foam::label Foam::tetCells::holder
 (
     const point& p,
     const label celli,
-    const label face,
-    const label behind
+    const label face
 ) const
 {
     const auto toPoint = [&](const point& centre)
@@ -308,14 +320,27 @@ Foam::label Foam::tetCells::holder
     };
     const vectorField& centres = mesh_.cellCentres();
 
-    // Mostly a point near a warped face, and one of its two cells holds it
-    if (look(toPoint(centres[celli]), celli, face).inside())
+    // Mostly a point near a warped face: this cell holds it, or one behind the face through which it
+    // is seen
+    const label facei = mesh_.cells()[celli][face];
+    view seen;
+    lookAt(toPoint(centres[celli]), celli, facei, seen);
+    if (seen.inside())
     {
         return celli;
     }
-    if (behind >= 0 && look(toPoint(centres[behind]), behind, 0).inside())
+    label here = celli;
+    for (label i = 0; i < maxFaces_ && here >= 0; ++i)
     {
-        return behind;
+        seen = look(toPoint(centres[here]), here);
+        if (seen.inside())
+        {
+            return here;
+        }
+        here =
+            seen.face >= 0 && mesh_.isInternalFace(seen.face)
+          ? mesh_.faceOwner()[seen.face] + mesh_.faceNeighbour()[seen.face] - here
+          : -1;
     }
 
     DynamicList<label> cells(64);
@@ -328,7 +353,7 @@ Foam::label Foam::tetCells::holder
         if (cells[i] >= 0)
         {
             to[i] = toPoint(centres[cells[i]]);
-            views[i] = look(to[i], cells[i], 0);
+            views[i] = look(to[i], cells[i]);
         }
         else
         {

@@ -43,9 +43,9 @@ const scalar innerShell = shellRadius(1, 15);
 const scalar outerShell = shellRadius(15, 29);
 
 
-// How well normals of planes in single precision tell how far a point of a sphere lies along them,
-// relative to the sphere's radius
-const scalar singlePrecision = 4e-7;
+// A point nearer than this to a plane, relative to the distances that tell so, may lie on the
+// face: its cell is looked up. Single precision is good to 3e-7, and within 1e-6 is on a face
+const scalar onPlane = 2e-6;
 
 
 const Foam::label nDirections = 7;
@@ -101,18 +101,20 @@ struct reach
         along[6] = c*(n.x() - n.y() - n.z());
     }
 
-    // How many of its points lie farther than `distance`, if that is not negative: of a pair
-    // at most one. For a smaller one just more
-    Foam::label nBeyond(const scalar distance) const
+    // How many of its points lie farther than `distance`, which is not negative: of a pair
+    // at most one. -1 if one of them lies there but for `uncertain`
+    Foam::label nBeyond(const scalar distance, const scalar uncertain) const
     {
         Foam::label count = 0;
+        Foam::label near = 0;
         for (const scalar a : along)
         {
-            count +=
-                (innerShell*Foam::mag(a) > distance)
-              + (outerShell*Foam::mag(a) > distance);
+            const scalar inner = innerShell*Foam::mag(a) - distance;
+            const scalar outer = outerShell*Foam::mag(a) - distance;
+            count += (inner > uncertain) + (outer > uncertain);
+            near += (inner >= -uncertain) + (outer >= -uncertain);
         }
-        return count;
+        return near == count ? count : -1;
     }
 };
 
@@ -153,28 +155,25 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         return false;
     }
-    const cellLocator::lanes r
-    (
-        here.relative(locator_.fromCentre(guest.position, here))
-    );
+    const vector fromCentre(locator_.fromCentre(guest.position, here));
+    const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
 
-    // Within the margin planes do not tell which points are beyond the face
-    const float margin = here.rMargin();
-    const unsigned reached = here.distance(r, margin).atMost(outermost);
+    const unsigned reached = inside.atMost(outermost);
     if (!isSingle(reached))
     {
         return false;
     }
     const label near = __builtin_ctz(reached);
-    if (here.behind[near] < 0)
+    const label behind = here.behind[near];
+    if (behind == -1)
     {
         return false;
     }
-    const label behind = here.behind[near];
-    const scalar distance = max(scalar(here.distance(r)[near]), scalar(0));
+    const scalar distance = max(scalar(inside[near]), scalar(0));
 
     // The sphere must not reach the other faces of the cell behind either
-    const cellLocator::faceBlock& there = *locator_.block(behind);
+    const cellLocator::faceBlock& there =
+        behind >= 0 ? *locator_.block(behind) : locator_.foreignBlock(behind);
     if (there.nFaces > nLanes)
     {
         return false;
@@ -183,8 +182,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     (
         there.distance
         (
-            there.relative(locator_.fromCentre(guest.position, there)),
-            there.rMargin()
+            there.relative(locator_.fromCentre(guest.position, there))
         )
     );
     unsigned shared = 0;
@@ -197,19 +195,24 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
 
-    const reach outward(here.normal(near), guest.radius);
-    const scalar uncertain = margin*here.h[near] + singlePrecision*guest.radius;
-    const label n = outward.nBeyond(distance + uncertain);
-    if (n != outward.nBeyond(distance - uncertain))
-    {
-        return false;
-    }
+    const label n = reach(here.normal(near), guest.radius).nBeyond
+    (
+        distance,
+        onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + guest.radius)
+    );
     if (n > 0)
     {
         shares.add(number, guest.cell, scalar(nParts - n)/nParts);
-        shares.add(number, behind, scalar(n)/nParts);
+        if (behind >= 0)
+        {
+            shares.add(number, behind, scalar(n)/nParts);
+        }
+        else
+        {
+            shares.addForeign(number, locator_.foreign(behind), scalar(n)/nParts);
+        }
     }
-    return true;
+    return n >= 0;
 }
 
 
@@ -221,8 +224,7 @@ void Foam::dividedVoidFraction::sharePoints
 ) const
 {
     // Only the faces that the sphere may reach decide which points stay. Of each point the
-    // distance inside of the nearest one, less the margin in which planes do not tell, and what
-    // is behind that
+    // distance inside of the nearest one, and what is behind that
     scalar room[nParts];
     label behind[nParts];
     std::fill(room, room + nParts, VGREAT);
@@ -230,12 +232,13 @@ void Foam::dividedVoidFraction::sharePoints
 
     const cellLocator::faceBlock* faces = locator_.block(guest.cell);
     const vector fromCentre(locator_.fromCentre(guest.position, *faces));
-    const scalar uncertain = singlePrecision*guest.radius;
+    const scalar uncertain =
+        2*onPlane*(cmptSum(cmptMag(fromCentre)) + guest.radius);
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
         (
-            faces->distance(faces->relative(fromCentre), faces->rMargin())
+            faces->distance(faces->relative(fromCentre))
         );
         unsigned reached = distance.atMost(outerShell*guest.radius);
         for (; reached; reached &= reached - 1)

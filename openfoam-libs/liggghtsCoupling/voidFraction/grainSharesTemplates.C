@@ -51,7 +51,8 @@ void Foam::grainShares::settle(const CellOf& cellOf)
         {
             label end = -1;
             const cellLocator::place place =
-                item.cell >= 0
+                item.isKnown ? cellLocator::place{item.cell, 0, -1}
+              : item.cell >= 0
               ? locator_.findOrFollow(item.position, item.cell, end)
               : locator_.find(item.position, near, end);
 
