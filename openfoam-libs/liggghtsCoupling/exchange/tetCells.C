@@ -307,6 +307,17 @@ Foam::tetCells::tetCells(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::point Foam::tetCells::drawnIn(const point& p, const label celli) const
+{
+    const point& centre = mesh_.cellCentres()[celli];
+    const view seen(look(p - centre, celli));
+    const bool outside = (seen.depth < 0 && seen.depth > -GREAT);
+    return
+        outside
+      ? centre + seen.height/(seen.height - seen.depth)*(p - centre) : p;
+}
+
+
 Foam::label Foam::tetCells::holder
 (
     const point& p,
@@ -350,17 +361,10 @@ Foam::label Foam::tetCells::holder
     label deepest = 0;
     forAll(cells, i)
     {
-        if (cells[i] >= 0)
-        {
-            to[i] = toPoint(centres[cells[i]]);
-            views[i] = look(to[i], cells[i]);
-        }
-        else
-        {
-            const visitor& cell = visitors_[-1 - cells[i]];
-            to[i] = toPoint(cell.centre);
-            views[i] = look(to[i], cell);
-        }
+        const bool isMine = (cells[i] >= 0);
+        const label k = isMine ? cells[i] : -1 - cells[i];
+        to[i] = toPoint(isMine ? centres[k] : visitors_[k].centre);
+        views[i] = isMine ? look(to[i], k) : look(to[i], visitors_[k]);
         if (views[i].depth > views[deepest].depth)
         {
             deepest = i;
