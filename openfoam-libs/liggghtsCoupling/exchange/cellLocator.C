@@ -6,22 +6,24 @@
 
 #include "cellLocator.H"
 #include "SubField.H"
-#include "cyclicPolyPatch.H"
-#include "processorCyclicPolyPatch.H"
-#include "syncTools.H"
+#include "indexedOctree.H"
+#include "treeDataCell.H"
+
+#include <limits>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellLocator::cellLocator(const polyMesh& mesh)
 :
     mesh_(mesh),
+    bounds_(mesh.bounds()),
     blocks_(),
     firstBlock_(),
     nFaces_(0),
+    nBehind_(0),
+    tets_(mesh),
     low_(Zero),
-    period_(Zero),
     high_(Zero),
-    half_(Zero),
     imagesFromAnywhere_(true),
     nSearches_(0)
 {
@@ -33,8 +35,19 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
     label nBlocks = 0;
     labelList first(cells.size());
+    // A point on the boundary may lie outside by its last digit
+    bounds_.inflate(1e-6);
+
     forAll(cells, celli)
     {
+        if (cells[celli].size() > std::numeric_limits<std::uint16_t>::max())
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh.cellCentres()[celli] << " has "
+                << cells[celli].size() << " faces; grains can be found in cells of up to "
+                << std::numeric_limits<std::uint16_t>::max()
+                << ". Split it (see checkMesh)" << exit(FatalError);
+        }
         first[celli] = nBlocks;
         nBlocks += (cells[celli].size() + nLanes - 1)/nLanes;
     }
@@ -48,6 +61,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
     {
         const point& centre = mesh.cellCentres()[celli];
         const label n = cells[celli].size();
+        const scalar margin = marginOf(celli);
         faceBlock* block = blocks_.data() + first[celli];
 
         for (label i = 0; i < (n + nLanes - 1)/nLanes*nLanes; ++i)
@@ -57,6 +71,7 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
             faces.centre = centre;
             faces.nFaces = n;
+            faces.setMargin(margin);
             faces.firstFace = nFaces_;
             faces.set(lane, Zero, 1e30, -1);
 
@@ -93,113 +108,34 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellLocator::setPeriod(const point& low, const vector& period)
+Foam::scalar Foam::cellLocator::marginOf(const label celli) const
 {
-    low_ = low;
-    period_ = period;
-    high_ = low + period;
-    half_ = period/2;
-    imagesFromAnywhere_ = true;
-    for (direction k = 0; k < 3; ++k)
+    const point& centre = mesh_.cellCentres()[celli];
+    scalar warp = 0;
+    scalar nearest = GREAT;
+    scalar radius = 0;
+    for (const label facei : mesh_.cells()[celli])
     {
-        if (period[k] <= 0)
+        const vector& area = mesh_.faceAreas()[facei];
+        const point& faceCentre = mesh_.faceCentres()[facei];
+        const vector normal(area/(mag(area) + VSMALL));
+        const bool owned = (mesh_.faceOwner()[facei] == celli);
+        const scalar h = (owned ? 1 : -1)*(normal & (faceCentre - centre));
+        if (h <= VSMALL)
         {
-            low_[k] = -VGREAT;
-            high_[k] = VGREAT;
+            return GREAT;
         }
-
-        // A mesh that is longer than the period has no place for images
-        const bool longer = mesh_.bounds().span()[k] > (1 + 1e-6)*period[k];
-        if (period[k] <= 0 || longer)
+        nearest = min(nearest, h);
+        for (const label pointi : mesh_.faces()[facei])
         {
-            half_[k] = VGREAT;
-        }
-        if (period[k] > 0 && longer)
-        {
-            imagesFromAnywhere_ = false;
+            const point& p = mesh_.points()[pointi];
+            warp = max(warp, mag(normal & (p - faceCentre))/h);
+            radius = max(radius, mag(p - centre));
         }
     }
 
-    labelList cells;
-    syncTools::swapBoundaryCellList(mesh_, identity(mesh_.nCells()), cells);
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (isA<cyclicPolyPatch>(patch))
-        {
-            link(refCast<const cyclicPolyPatch>(patch));
-        }
-        else if (isA<processorPolyPatch>(patch))
-        {
-            link(refCast<const processorPolyPatch>(patch), cells);
-        }
-    }
-}
-
-
-bool Foam::cellLocator::isPeriod(const vector& apart) const
-{
-    for (direction k = 0; k < 3; ++k)
-    {
-        vector period(Zero);
-        period[k] = sign(apart[k])*period_[k];
-        if (half_[k] < VGREAT && mag(apart - period) < 1e-6*period_[k])
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-void Foam::cellLocator::setBehind(const label facei, const label behind)
-{
-    const label celli = mesh_.faceOwner()[facei];
-    const label face = mesh_.cells()[celli].find(facei);
-    faceBlock& faces = blocks_[block(celli) - blocks_.data() + face/nLanes];
-    faces.behind[face % nLanes] = behind;
-}
-
-
-void Foam::cellLocator::link(const cyclicPolyPatch& side)
-{
-    // Other periods than that of the DEM box are none for grains
-    const cyclicPolyPatch& other = side.neighbPatch();
-    forAll(side, i)
-    {
-        if (isPeriod(other.faceCentres()[i] - side.faceCentres()[i]))
-        {
-            setBehind(side.start() + i, other.faceCells()[i]);
-        }
-    }
-}
-
-
-void Foam::cellLocator::link
-(
-    const processorPolyPatch& side,
-    const labelUList& cells
-)
-{
-    const bool periodic = isA<processorCyclicPolyPatch>(side);
-    forAll(side, i)
-    {
-        const label facei = side.start() + i;
-        if
-        (
-            !periodic
-         || isPeriod(side.neighbFaceCentres()[i] - side.faceCentres()[i])
-        )
-        {
-            setBehind(facei, -2 - foreign_.size());
-            foreign_.append
-            (
-                foreignCell
-                {
-                    side.neighbProcNo(), cells[facei - mesh_.nInternalFaces()]
-                }
-            );
-        }
-    }
+    // Three products and their sum in single precision are good to 3e-7 of the terms
+    return 4e-6 + warp + 4e-7*radius/nearest;
 }
 
 
@@ -236,35 +172,62 @@ Foam::label Foam::cellLocator::aroundBoundary
 }
 
 
+Foam::cellLocator::place Foam::cellLocator::settle
+(
+    const point& p,
+    const label celli,
+    const view seen,
+    label& next
+) const
+{
+    const label holder = tets_.holder(p, celli, seen.face);
+    if (holder >= 0)
+    {
+        return placeIn(holder, holder == celli ? seen : look(p, holder));
+    }
+    next =
+        holder < -1 ? holder - nBehind_
+      : seen.least >= 0 ? -1
+      : seen.behind != -1 ? seen.behind : aroundBoundary(p, celli);
+    return place{-1, 0, -1};
+}
+
+
 Foam::cellLocator::place Foam::cellLocator::find
 (
     const point& p,
-    const label hint
+    const label hint,
+    label& end
 ) const
 {
-    label end = -1;
     const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
     if (near.cell >= 0)
     {
         return near;
     }
 
+    end = -1;
     const point inside(wrap(p));
-    if (!mesh_.nCells() || !mesh_.bounds().contains(inside))
+    if (!mesh_.nCells() || !bounds_.contains(inside))
     {
         return {-1, 0, -1};
     }
 
     ++nSearches_;
     const label celli = mesh_.findCell(inside);
-    if (celli < 0)
+    if (celli >= 0)
     {
-        return {-1, 0, -1};
+        // One of those whose tetrahedra hold it, or touch it
+        const place exact = settle(inside, celli, look(inside, celli), end);
+        return
+            exact.cell < 0 && !leadsAway(end) ? place{celli, 0, -1} : exact;
     }
 
-    // On warped faces tetrahedra and planes differ a little: the tetrahedra decide
-    const place exact = walk(inside, celli, end);
-    return exact.cell == celli ? exact : place{celli, 0, -1};
+    // A point on the boundary may lie outside by its last digit; a walk would have found it
+    label away;
+    return
+        hint >= 0 ? place{-1, 0, -1}
+      : walk(inside, mesh_.cellTree().findNearest(inside, GREAT).index(), away);
 }
 
 
@@ -276,7 +239,7 @@ Foam::cellLocator::place Foam::cellLocator::findOrFollow
 ) const
 {
     const place near = walk(p, hint < mesh_.nCells() ? hint : -1, end);
-    return near.cell >= 0 || leadsAway(end) ? near : find(p, -1);
+    return near.cell >= 0 || leadsAway(end) ? near : find(p, -1, end);
 }
 
 

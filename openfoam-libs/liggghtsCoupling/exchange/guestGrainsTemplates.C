@@ -137,7 +137,7 @@ void Foam::guestGrains::locate(const Found& found)
             label end = -1;
             const cellLocator::place place =
                 hint >= 0 ? locator_.findOrFollow(guest.position, hint, end)
-              : locator_.find(guest.position, near);
+              : locator_.find(guest.position, near, end);
 
             if (place.cell >= 0)
             {
@@ -148,7 +148,7 @@ void Foam::guestGrains::locate(const Found& found)
             }
             return ownerRoute::reply::refusal(locator_, end);
         },
-        [&](const label i)
+        [&](const label i) -> ownerRoute::reply
         {
             label end;
             const cellLocator::place place =
@@ -156,8 +156,9 @@ void Foam::guestGrains::locate(const Found& found)
             if (place.cell >= 0)
             {
                 admitOne(away[i], place, travellers_[i]);
+                return ownerRoute::reply{cells_.size() - 1, -1, -1};
             }
-            return place.cell >= 0;
+            return ownerRoute::reply::refusal(locator_, end);
         }
     );
     visitorActions_.setSize(visitors_.size());
@@ -165,22 +166,7 @@ void Foam::guestGrains::locate(const Found& found)
     homeless_.clear();
     forAll(away, i)
     {
-        if (owner[i] >= 0)
-        {
-            continue;
-        }
-
-        // Not searched here so far, if it was sent elsewhere at once
-        const cellLocator::place place =
-            firstRank[i] >= 0
-          ? locator_.find(away[i].position, -1)
-          : cellLocator::place{-1, 0, -1};
-
-        if (place.cell >= 0)
-        {
-            admitOne(away[i], place, travellers_[i]);
-        }
-        else
+        if (owner[i] < 0)
         {
             homeless_.append(travellers_[i]);
         }

@@ -10,13 +10,13 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class T, class Take>
-Foam::label Foam::ownerRoute::exchange
+std::int64_t Foam::ownerRoute::exchange
 (
     const List<DynamicList<T>>& lists,
     const Take& take
 )
 {
-    label bytes = 0;
+    std::int64_t bytes = 0;
 
     if (!Pstream::parRun())
     {
@@ -25,7 +25,7 @@ Foam::label Foam::ownerRoute::exchange
 
     for (const DynamicList<T>& list : lists)
     {
-        bytes += list.size()*sizeof(T);
+        bytes += std::int64_t(list.size())*sizeof(T);
     }
 
     List<DynamicList<T>> received(Pstream::nProcs());
@@ -72,14 +72,50 @@ Foam::labelList Foam::ownerRoute::establish
     labelList lastCandidate(items.size(), -1);
     DynamicList<label> pending(items.size());
 
+    const label nProcs = Pstream::nProcs();
+    const label me = Pstream::myProcNo();
+
+    // Follow what a rank says about an item; if that is this one, what it finds itself
+    const auto follow = [&](const label i, reply said)
+    {
+        items[i].cell = said.cell;
+        if (said.rank == me)
+        {
+            said = home(i);
+            items[i].cell = said.cell;
+            owner[i] = (said.stored >= 0 ? me : -1);
+        }
+        const bool led =
+            owner[i] < 0 && said.rank >= 0 && said.rank != me && hops[i] < maxHops_;
+        if (led)
+        {
+            ++hops[i];
+            asked[i] = said.rank;
+            pending.append(i);
+        }
+        return led || owner[i] >= 0;
+    };
+
     const auto askCandidate = [&](const label i)
     {
         items[i].cell = -1;
+        hops[i] = 0;
+        asked[i] = -1;
+        if (lastCandidate[i] == me)
+        {
+            return;
+        }
         asked[i] = lastCandidate[i] =
             nextCandidate(items[i].position, lastCandidate[i]);
         if (asked[i] >= 0)
         {
             pending.append(i);
+        }
+        else if (first[i] >= 0)
+        {
+            // Not searched here so far
+            lastCandidate[i] = me;
+            follow(i, reply{-1, me, -1});
         }
     };
 
@@ -94,9 +130,6 @@ Foam::labelList Foam::ownerRoute::establish
             askCandidate(i);
         }
     }
-
-    const label nProcs = Pstream::nProcs();
-    const label me = Pstream::myProcNo();
 
     while (returnReduce(pending.size(), sumOp<label>()))
     {
@@ -142,22 +175,7 @@ Foam::labelList Foam::ownerRoute::establish
                         continue;
                     }
 
-                    items[i].cell = answer.cell;
-                    if (answer.rank == me && home(i))
-                    {
-                        owner[i] = me;
-                    }
-                    else if
-                    (
-                        answer.rank >= 0 && answer.rank != me
-                     && answer.rank != proci && hops[i] < maxHops_
-                    )
-                    {
-                        ++hops[i];
-                        asked[i] = answer.rank;
-                        pending.append(i);
-                    }
-                    else
+                    if (!follow(i, answer))
                     {
                         askCandidate(i);
                     }

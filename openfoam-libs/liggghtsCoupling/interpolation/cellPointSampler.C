@@ -64,7 +64,12 @@ Foam::cellPointSampler::weights Foam::cellPointSampler::search
 ) const
 {
     weights result;
-    const cellPointWeight cpw(mesh_, grain.position, grain.cell);
+    // On a face, but outside of this cell by a few digits, extrapolation would depend on the
+    // tetrahedron that is found first
+    const cellPointWeight cpw
+    (
+        mesh_, locator_.drawnIn(grain.position, grain.cell), grain.cell
+    );
     for (direction k = 0; k < 4; ++k)
     {
         result.w[k] = cpw.weights()[k];

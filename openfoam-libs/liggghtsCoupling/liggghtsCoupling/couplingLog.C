@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingLog.H"
-#include "labelVector.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -198,10 +197,11 @@ void Foam::couplingLog::write(const step& values)
     const scalar volumeCut = returnReduce(values.volumeCut, sumOp<scalar>());
     warn(maxSolidFraction);
 
-    const labelVector numbers = returnReduce
+    // As scalars, which count whole numbers up to 9e15
+    const vector numbers = returnReduce
     (
-        labelVector(values.left, values.travelling, values.searches),
-        sumOp<labelVector>()
+        vector(values.left, values.travelling, values.searches),
+        sumOp<vector>()
     );
     left_ += numbers[0];
     const label travelling = numbers[1];
@@ -280,7 +280,8 @@ void Foam::couplingLog::write(const step& values)
         }
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << couplingSeconds
-            << tab << travelling << tab << sums[2] << tab << numbers[2]
+            << tab << travelling << tab << std::int64_t(sums[2])
+            << tab << std::int64_t(numbers[2])
             << endl;
     }
     ownSeconds_ = clock_.elapsedTime() - now;

@@ -43,6 +43,11 @@ const scalar innerShell = shellRadius(1, 15);
 const scalar outerShell = shellRadius(15, 29);
 
 
+// A point nearer than this to a plane, relative to the distances that tell so, may lie on the
+// face: its cell is looked up. Single precision is good to 3e-7, and within 1e-6 is on a face
+const scalar onPlane = 2e-6;
+
+
 const Foam::label nDirections = 7;
 
 // Half of the directions of a shell's points; the others are opposite to them
@@ -97,17 +102,19 @@ struct reach
     }
 
     // How many of its points lie farther than `distance`, which is not negative: of a pair
-    // at most one
-    Foam::label nBeyond(const scalar distance) const
+    // at most one. -1 if one of them lies there but for `uncertain`
+    Foam::label nBeyond(const scalar distance, const scalar uncertain) const
     {
         Foam::label count = 0;
+        Foam::label near = 0;
         for (const scalar a : along)
         {
-            count +=
-                (innerShell*Foam::mag(a) > distance)
-              + (outerShell*Foam::mag(a) > distance);
+            const scalar inner = innerShell*Foam::mag(a) - distance;
+            const scalar outer = outerShell*Foam::mag(a) - distance;
+            count += (inner > uncertain) + (outer > uncertain);
+            near += (inner >= -uncertain) + (outer >= -uncertain);
         }
-        return count;
+        return near == count ? count : -1;
     }
 };
 
@@ -148,13 +155,8 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         return false;
     }
-    const cellLocator::lanes inside
-    (
-        here.distance
-        (
-            here.relative(locator_.fromCentre(guest.position, here))
-        )
-    );
+    const vector fromCentre(locator_.fromCentre(guest.position, here));
+    const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
 
     const unsigned reached = inside.atMost(outermost);
     if (!isSingle(reached))
@@ -162,15 +164,16 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
     const label near = __builtin_ctz(reached);
-    if (here.behind[near] < 0)
+    const label behind = here.behind[near];
+    if (behind == -1)
     {
         return false;
     }
-    const label behind = here.behind[near];
     const scalar distance = max(scalar(inside[near]), scalar(0));
 
     // The sphere must not reach the other faces of the cell behind either
-    const cellLocator::faceBlock& there = *locator_.block(behind);
+    const cellLocator::faceBlock& there =
+        behind >= 0 ? *locator_.block(behind) : locator_.foreignBlock(behind);
     if (there.nFaces > nLanes)
     {
         return false;
@@ -192,13 +195,24 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
 
-    const label n = reach(here.normal(near), guest.radius).nBeyond(distance);
+    const label n = reach(here.normal(near), guest.radius).nBeyond
+    (
+        distance,
+        onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + guest.radius)
+    );
     if (n > 0)
     {
         shares.add(number, guest.cell, scalar(nParts - n)/nParts);
-        shares.add(number, behind, scalar(n)/nParts);
+        if (behind >= 0)
+        {
+            shares.add(number, behind, scalar(n)/nParts);
+        }
+        else
+        {
+            shares.addForeign(number, locator_.foreign(behind), scalar(n)/nParts);
+        }
     }
-    return true;
+    return n >= 0;
 }
 
 
@@ -215,10 +229,11 @@ void Foam::dividedVoidFraction::sharePoints
     label behind[nParts];
     std::fill(room, room + nParts, VGREAT);
     std::fill(behind, behind + nParts, -1);
-    room[0] = 0;
 
     const cellLocator::faceBlock* faces = locator_.block(guest.cell);
     const vector fromCentre(locator_.fromCentre(guest.position, *faces));
+    const scalar uncertain =
+        2*onPlane*(cmptSum(cmptMag(fromCentre)) + guest.radius);
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
@@ -270,7 +285,7 @@ void Foam::dividedVoidFraction::sharePoints
 
     for (label i = 0; i < nParts; ++i)
     {
-        if (room[i] >= 0)
+        if (room[i] > uncertain)
         {
             count(guest.cell);
             continue;

@@ -11,6 +11,37 @@
 template<class CellOf>
 void Foam::grainShares::settle(const CellOf& cellOf)
 {
+    // What no walk leads to is searched here first. Parts of a grain follow each other: what holds
+    // one probably holds the next
+    label nAway = 0;
+    label hint = -1;
+    forAll(satellites_, i)
+    {
+        satellite item = satellites_[i];
+        label rank = firstRank_[i];
+        if (rank < 0)
+        {
+            label end;
+            const label start = (hint < 0 ? cellOf(item.guest) : hint);
+            const label celli = locator_.find(item.position, start, end).cell;
+            if (celli >= 0)
+            {
+                hint = celli;
+                late_.append(share{item.guest, celli, item.fraction});
+                continue;
+            }
+            if (cellLocator::leadsAway(end))
+            {
+                rank = locator_.foreign(end).rank;
+                item.cell = locator_.foreign(end).cell;
+            }
+        }
+        satellites_[nAway] = item;
+        firstRank_[nAway++] = rank;
+    }
+    satellites_.setSize(nAway);
+    firstRank_.setSize(nAway);
+
     label near = -1;
     const labelList owner = route_.establish<satellite>
     (
@@ -20,9 +51,10 @@ void Foam::grainShares::settle(const CellOf& cellOf)
         {
             label end = -1;
             const cellLocator::place place =
-                item.cell >= 0
+                item.isKnown ? cellLocator::place{item.cell, 0, -1}
+              : item.cell >= 0
               ? locator_.findOrFollow(item.position, item.cell, end)
-              : locator_.find(item.position, near);
+              : locator_.find(item.position, near, end);
 
             if (place.cell >= 0)
             {
@@ -32,7 +64,7 @@ void Foam::grainShares::settle(const CellOf& cellOf)
             }
             return ownerRoute::reply::refusal(locator_, end);
         },
-        [&](const label i)
+        [&](const label i) -> ownerRoute::reply
         {
             const satellite& item = satellites_[i];
             label end;
@@ -41,30 +73,18 @@ void Foam::grainShares::settle(const CellOf& cellOf)
             if (celli >= 0)
             {
                 late_.append(share{item.guest, celli, item.fraction});
+                return ownerRoute::reply{late_.size() - 1, -1, -1};
             }
-            return celli >= 0;
+            return ownerRoute::reply::refusal(locator_, end);
         }
     );
 
-    // Parts of a grain follow each other: what holds one probably holds the next
-    label hint = -1;
     forAll(owner, i)
     {
         if (owner[i] < 0)
         {
             const satellite& item = satellites_[i];
-            const label start = (hint < 0 ? cellOf(item.guest) : hint);
-            const label celli = locator_.find(item.position, start).cell;
-            hint = (celli < 0 ? hint : celli);
-            late_.append
-            (
-                share
-                {
-                    item.guest,
-                    celli >= 0 ? celli : cellOf(item.guest),
-                    item.fraction
-                }
-            );
+            late_.append(share{item.guest, cellOf(item.guest), item.fraction});
         }
     }
 }
