@@ -22,11 +22,13 @@ Description
 #include "fix.h"
 #include "input.h"
 #include "modify.h"
+#include "universe.h"
 #include "update.h"
 #include "write_restart.h"
 
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -103,6 +105,12 @@ void Foam::liggghtsSession::openLog(const bool continued)
     }
 
     lmp_->input->one(("log \"" + log_ + "\"" + (continued ? " append" : "")).c_str());
+
+    // The command alone begins no log as the program does, by which a log is known
+    if (!continued && lmp_->logfile)
+    {
+        std::fprintf(lmp_->logfile, "LIGGGHTS (%s)\n", lmp_->universe->version);
+    }
 }
 
 
