@@ -39,7 +39,7 @@ FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), timestep_fraction_(0.0), timestep_error_(false), overlap_fraction_(0.1),
   search_(lmp), stand_in_(nullptr), pairs_valid_(false), store_current_(true), forces_restarted_(false),
   rmax_(0.0), margin_(0.0), pairs_per_grain_(-1.0), search_step_(0), expired_(false), work_done_(), stream_(),
-  freeze_bit_(0), collisions_(0.0),
+  freeze_bit_(0), grows_(false), growth_(0.0), collisions_(0.0),
   deep_(0.0), deepest_(0.0), deep_reported_(0.0), work_(0.0), found_(0.0), reduced_step_(-1)
 {
   parse(narg, arg);
@@ -140,15 +140,9 @@ void FixHertzCg::init()
   for (int i = 0; i < modify->nfix; ++i)
     if (strcmp(modify->fix[i]->style, "freeze") == 0) freeze_bit_ |= modify->fix[i]->groupbit;
 
-  // also of grains that are still to be inserted
-  std::vector<double> radius(atom->ntypes + 1, 0.0);
-  for (int i = 0; i < atom->nlocal; ++i)
-    radius[atom->type[i]] = std::max(radius[atom->type[i]], atom->radius[i]);
-  for (int i = 0; i < modify->nfix; ++i)
-    if (modify->fix[i]->use_rad_for_cut_neigh_and_ghost())
-      for (int type = 1; type <= atom->ntypes; ++type)
-        radius[type] = std::max(radius[type], modify->fix[i]->max_rad(type));
-  MPI_Allreduce(MPI_IN_PLACE, radius.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
+  grows_ = find_growth();
+  growth_ = 0.0;
+  const std::vector<double> radius = largest_radii();
   rmax_ = *std::max_element(radius.begin(), radius.end());
   check_sizes();
   // an empty box touches nothing, and the host does not know its materials
@@ -228,23 +222,10 @@ void FixHertzCg::check_host()
       + group->names[ghosts] + "`; say `communicate single group all vel yes`, or give the fix this group";
     error->fix_error(FLERR, this, message.c_str());
   }
-  if (atom->radvary_flag) error->fix_error(FLERR, this, "needs grains of constant radius");
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->box_change_size || modify->fix[i]->box_change_shape)
       error->fix_error(FLERR, this, (std::string("needs a box that no other fix deforms; remove fix ")
                                      + modify->fix[i]->id + " (" + modify->fix[i]->style + ")").c_str());
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixHertzCg::check_sizes()
-{
-  const double smallest = search_.narrowest();
-  if (2.0 * rmax_ <= smallest) return;
-  std::ostringstream message;
-  message << "grains of diameter " << 2.0 * rmax_ << " are larger than a rank's part of the box, or than a periodic box, "
-          << smallest << "; use fewer ranks, `processors`, or a larger box";
-  error->fix_error(FLERR, this, message.str().c_str());
 }
 
 /* ----------------------------------------------------------------------

@@ -125,6 +125,12 @@ class FixHertzCg : public Fix {
   grainjet::SearchSettings::Work work_done_;
   double stream_[3];       // m/s, mean velocity of the grains then
   int freeze_bit_;
+
+  // grains that change their size
+  bool grows_;
+  double growth_;                // m, largest growth of a radius between two searches of this run
+  std::vector<double> held_;     // m, radii at the last search
+
   grainjet::WallAxes walls_;
 
   // bookkeeping, this rank's share since the start
@@ -143,6 +149,11 @@ class FixHertzCg : public Fix {
   void remove_stand_in();
   void check_host();
   void check_sizes();
+  bool find_growth() const;
+  std::vector<double> largest_radii() const;
+  bool follow_sizes();
+  void hold_sizes();
+  bool sizes_changed();
   double packing() const;
 
   void search();

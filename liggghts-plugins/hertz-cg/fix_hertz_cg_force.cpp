@@ -91,6 +91,11 @@ void FixHertzCg::compute_pairs(bool advance, bool again)
   const Grains g(atom, update->dt, stand_in_->watched());
   const std::size_t n = pairs_.size();
   if (n == 0) return;
+  if (grows_)
+    for (ContactPairs::Pair &pair : pairs_.pairs) {
+      const double sum = g.radius[pair.i] + g.radius[pair.j];
+      pair.reach2 = sum * sum;
+    }
   const double *x = g.x[0];
   for (std::size_t p = 0; p < n; ++p) {
     // grains of a pair lie anywhere in memory; pairs to come are fetched ahead

@@ -36,6 +36,7 @@ void FixHertzCg::post_integrate()
   const double time = (update->ntimestep - search_step_) * update->dt;
   const int failed = grainjet::StreamMotion::RELATIVE + 1;
   int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
+  if (sizes_changed()) state = std::max<int>(state, grainjet::StreamMotion::STREAM);
   if (!failure_.empty()) state = failed;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &state, 1, MPI_INT, MPI_MAX, world);
   if (state == failed) report_failure();
@@ -69,7 +70,8 @@ void FixHertzCg::pre_exchange()
   if (update->whichflag && output->restart_requested(update->ntimestep))
     atom->nextsort = update->ntimestep;
   measure();
-  if (search_.adapt(work_done_)) {
+  const bool outgrown = follow_sizes();
+  if (search_.adapt(work_done_) || outgrown) {
     comm->setup();
     if (neighbor->style) neighbor->setup_bins();
   }
@@ -198,6 +200,7 @@ void FixHertzCg::search()
     }
   report_failure();
   pairs_valid_ = true;
+  hold_sizes();
   stand_in_->show(pairs_, atom->nlocal);
 
   double count[2] = {static_cast<double>(pairs_.size()), static_cast<double>(atom->nlocal)};
@@ -276,6 +279,12 @@ void FixHertzCg::choose_margin(const double velocity[3])
   // a wall, a moving mesh or an insertion asked for this search, not the margin; and will again
   if (!expired_) choice.forced = work_done_.searches;
   margin_ = std::max(choice.best(), search_.least());
+  if (grows_) {
+    // growth between two searches comes out of the margin
+    double growth;
+    MPI_Allreduce(&growth_, &growth, 1, MPI_DOUBLE, MPI_MAX, world);
+    margin_ = std::min(std::max(margin_, 4.0 * growth), search_.reach());
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -283,8 +292,10 @@ void FixHertzCg::choose_margin(const double velocity[3])
 void FixHertzCg::start_motion(const double velocity[3])
 {
   grainjet::StreamMotion::Limits limits;
-  limits.relative = 0.5 * margin_;
-  limits.wall = walls_.any ? std::max(walls_.reach * search_.skin(), DBL_MIN) : 0.0;
+  double growth = 0.0;
+  if (grows_) MPI_Allreduce(&growth_, &growth, 1, MPI_DOUBLE, MPI_MAX, world);
+  limits.relative = std::max(0.5 * margin_ - growth, 0.05 * margin_);
+  limits.wall = walls_.any ? std::max(walls_.reach * search_.skin() - growth, DBL_MIN) : 0.0;
   for (int d = 0; d < 3; ++d) {
     limits.wallAxes[d] = walls_.axis[d];
     // grains go round, change rank or leave through an open end only at a search: none may get

@@ -163,6 +163,23 @@ int SearchSettings::ghost_group() const
 
 /* ---------------------------------------------------------------------- */
 
+bool SearchSettings::outgrown(const std::vector<double> &radius) const
+{
+  for (std::size_t type = 1; type < radius.size(); ++type)
+    if (!known(static_cast<int>(type), radius[type])) return true;
+  return false;
+}
+
+void SearchSettings::grow(const std::vector<double> &radius)
+{
+  for (std::size_t type = 0; type < radius.size(); ++type) radius_[type] = std::max(radius_[type], radius[type]);
+  diameter_ = 2.0 * *std::max_element(radius_.begin(), radius_.end());
+  choose_bins();
+  set_cutoff();
+}
+
+/* ---------------------------------------------------------------------- */
+
 bool SearchSettings::known(int type, double radius) const
 {
   if (2.0 * radius > diameter_) return false;

@@ -73,6 +73,12 @@ class SearchSettings {
   // Was a grain of this type and radius [m] to be expected?
   bool known(int type, double radius) const;
 
+  // Is one of these radii [m, by type] beyond those that ghosts are fetched for?
+  bool outgrown(const std::vector<double> &radius) const;
+
+  // Fetch ghosts for these from now on; the host's communication and bins are then to be set up anew
+  void grow(const std::vector<double> &radius);
+
   // group whose grains alone become ghosts (`communicate ... group`), 0: all
   int ghost_group() const;
 

@@ -29,6 +29,7 @@ RUN = (
     ("hydrogel_multicontact", "in.hydrogel_default", 3000),
     ("insert_stream", "in.insert_stream", 20000),
     ("mesh_tet", "in.mesh_tet", 1000),
+    ("packing", "in.packing", 20000),
 )
 
 # what is refused, and the words of the remedy
