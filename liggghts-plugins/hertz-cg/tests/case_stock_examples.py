@@ -118,6 +118,24 @@ class StockExamples(grainjet.Case):
                 self.assertGreaterEqual(collisions, 5, "nothing is compared")
                 self.assertGreater(equal, 3, "too wild to show anything")
 
+    def test_continued_from_a_restart_file(self):
+        """in.insert_stream_reset_timestep reads what in.insert_stream has written. A file of the stock program brings
+        its pair style along, which has to be taken out."""
+        for written_by in ("plugin", "stock"):
+            first = self.run_example("insert_stream", "in.insert_stream", 8000, written_by,
+                                     with_fix if written_by == "plugin" else str)
+            self.assertIn("write_restart", first.output + (self.folder / f"insert_stream-in.insert_stream-{written_by}"
+                                                           / "in.insert_stream").read_text())
+            folder = self.folder / f"insert_stream-in.insert_stream-{written_by}"
+            text = (folder / "in.insert_stream_reset_timestep").read_text()
+            text = with_fix(re.sub(r"(?m)^run\s+\d{4,}.*$", "run 2000", text))
+            if written_by == "stock":
+                text = re.sub(r"(?m)^(fix contacts .*)$", r"pair_style none\n\1", text)
+            (folder / "in.continued").write_text(text)
+            result = grainjet.run(["liggghts-plugins", "-in", "in.continued"], folder)
+            self.assertEqual(result.code, 0, result)
+            self.assertGreater(thermo(result.output)[-1][1], 20)
+
     def test_what_is_refused_says_so(self):
         for example, script, words in REFUSED:
             with self.subTest(script=script):

@@ -109,7 +109,8 @@ class ScriptErrors(bad_case.BadCase):
 
     def test_numbers_that_no_grain_has(self):
         for what in ({"density": 1e-300}, {"density": 1e300}, {"diameter": 1e-300}, {"diameter": 1e300}):
-            self.refused("constant/in.particles", "grain 1", "constant/fvOptions",
+            # by the coupling or, with a force that is no number, by fix fluid/force
+            self.refused("constant/in.particles", "grain 1", "radius",
                          grains=box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)], **what))
         self.refused("constant/in.particles", "grain 2", "speed", ranks=(0, 2),
                      grains=box.grains([(0.01, 0.01, 0.01), (0.01, 0.01, 0.03)], [(0, 0, 1), (0, 0, 1e300)]))
