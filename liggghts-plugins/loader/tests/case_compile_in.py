@@ -70,6 +70,9 @@ class CompileIn(grainjet.Case):
             self.assertTrue(headers, kind)
             (src / f"style_{kind}.h").write_text("".join(f'#include "{name}"\n' for name in headers))
         (src / "table.cpp").write_text(TABLE)
+        # LIGGGHTS' build makes these lists of its own contact models before it compiles anything
+        for part in ("surface", "normal", "tangential", "cohesion", "rolling"):
+            (src / f"style_{part}_model.h").write_text("")
 
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             for result in pool.map(self.compile, sorted(src.glob("*.cpp"))):

@@ -26,7 +26,9 @@ class Python(LoaderCase):
     def run_block(self, script=GRAINS, ranks=0, head="", end=None):
         (self.folder / "in.script").write_text(script)
         (self.folder / "run.py").write_text(head + (self.block if end is None else self.block.replace(*end)))
-        return grainjet.run([*grainjet.mpirun(ranks), "/usr/bin/python3", "run.py"], self.folder, timeout=120)
+        # ranks that print without a buffer print into each other's lines
+        return grainjet.run([*grainjet.mpirun(ranks), "/usr/bin/python3", "run.py"], self.folder, timeout=120,
+                            env={"PYTHONUNBUFFERED": ""})
 
     def speeds(self, result):
         self.assertEqual(result.code, 0, result)
