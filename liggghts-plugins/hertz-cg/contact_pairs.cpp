@@ -11,6 +11,20 @@
 
 using namespace grainjet;
 
+/* ----------------------------------------------------------------------
+   How little a remembered contact fits the direction between two grains: its force has the twist n x Ft for
+   its own normal n only, and mostly pushes
+------------------------------------------------------------------------- */
+
+static double strangeness(const Contact &c, const contact::Vector3 &delta)
+{
+  const double force = contact::length(c.force), distance = contact::length(delta);
+  if (!(force > 0.0 && distance > 0.0)) return 0.5;
+  const contact::Vector3 normal = (1.0 / distance) * delta;
+  const double twist = contact::length(contact::cross(normal, c.force) - c.twist) / force;
+  return twist + (contact::dot(c.force, normal) < 0.0 ? 0.5 : 0.0);
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool ContactPairs::build(const Grains &g, double margin, const ContactStore &store, bool earlier)
@@ -36,17 +50,24 @@ bool ContactPairs::build(const Grains &g, double margin, const ContactStore &sto
   contacts.resize(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const int i = pairs[p].i, j = pairs[p].j;
+    const double *a = g.x + 3 * i, *b = g.x + 3 * j;
+    const contact::Vector3 delta = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    // in a narrow periodic box another image of the same grain may be listed too
+    if (!earlier && contact::dot(delta, delta) > 1.2 * pairs[p].reach2) continue;
+    const ContactStore::Entry *best = nullptr;
+    double least = 1.0;
     for (int n = 0; n < store.count(i); ++n) {
       const ContactStore::Entry &e = store.entries(i)[n];
       if (e.partner != tags_[p].j) continue;
-      // in a narrow periodic box another image of the same grain may be listed too
-      const double *a = g.x + 3 * i, *b = g.x + 3 * j;
-      const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
-      if (!earlier && dx * dx + dy * dy + dz * dz > 1.2 * pairs[p].reach2) break;
-      marks[p] = static_cast<unsigned char>(e.marks);
-      contacts[p] = e.contact;
-      break;
+      // and may touch too
+      const double strange = g.narrow ? strangeness(e.contact, delta) : 0.0;
+      if (!(strange < least)) continue;
+      best = &e;
+      least = strange;
     }
+    if (!best) continue;
+    marks[p] = static_cast<unsigned char>(best->marks);
+    contacts[p] = best->contact;
   }
   return true;
 }

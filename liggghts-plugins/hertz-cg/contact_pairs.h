@@ -40,6 +40,7 @@ class ContactPairs {
     const int *mask;          // group bits
     int group;                // only pairs with both grains in this group bit are listed
     int frozen;               // pairs with both grains in this group bit are not; 0: no such group
+    bool narrow = false;      // may two grains touch through two images? (periodic, narrower than two diameters)
   };
 
   // List the pairs closer than margin and take up their contacts from the store.

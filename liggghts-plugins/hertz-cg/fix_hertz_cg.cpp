@@ -62,6 +62,14 @@ FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
+}
+
+/* ----------------------------------------------------------------------
+   not before the host's list of fixes holds this one: a pair style looks through it
+------------------------------------------------------------------------- */
+
+void FixHertzCg::post_create_pre_restart()
+{
   if (!force->pair) stand_in();
 }
 

@@ -64,6 +64,7 @@ class FixHertzCg : public Fix {
   ~FixHertzCg();
 
   int setmask();
+  void post_create_pre_restart();
   void pre_delete(bool unfixflag);
   void init();
   void init_list(int, class NeighList *);
@@ -115,6 +116,7 @@ class FixHertzCg : public Fix {
   bool pairs_valid_;       // indices in pairs_ are those of the host's arrays
   bool store_current_;     // store_ holds what pairs_ holds
   bool forces_restarted_;  // until the first step, forces and list are those of the restart file
+  double state_restarted_[2];    // state() of the grains of that file
 
   // the search
   double rmax_;            // m, largest radius, also of grains still to be inserted
@@ -163,6 +165,8 @@ class FixHertzCg : public Fix {
   void stream_velocity(double velocity[3]) const;
   void start_motion(const double velocity[3]);
   void save_contacts();
+  void state(double sum[2]) const;
+  void check_restarted();
 
   void fail(const std::string &message);
   void report_failure();

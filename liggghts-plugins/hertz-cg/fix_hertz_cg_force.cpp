@@ -251,7 +251,8 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
   else if (depth > overlap_fraction_ && !(pairs_.marks[p] & ContactPairs::DEEP)) begin_contact(g, p, depth);
 
   Evaluated e = evaluate<TANGENTIAL, EXTRAS>(g, k, i, j, c, advance);
-  if (again) {
+  // contacts that the file does not know were made since
+  if (again && !found) {
     e.force = c.force;
     e.twist = c.twist;
     e.rolling = c.rolling;

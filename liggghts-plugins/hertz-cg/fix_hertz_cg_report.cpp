@@ -166,8 +166,9 @@ void FixHertzCg::post_run()
 namespace {
 
 // order of the numbers in the global part; the first of them is its version
-enum Saved { VERSION, FACTOR, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
-             VALUES, SKIN, LARGEST_SKIN, SORT_BIN, SEARCHED, STREAM, NSAVED = STREAM + 3 };
+enum Saved { VERSION, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
+             ROLLING, SKIN, LARGEST_SKIN, SORT_BIN, SEARCHED, STREAM, STATE = STREAM + 3, NTYPES = STATE + 2,
+             NSAVED };   // and after them the coarse-graining factor of each type
 
 }
 
@@ -177,11 +178,12 @@ void FixHertzCg::write_restart(FILE *fp)
   double deepest = deepest_;
   MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+  double now[2];
+  state(now);
   if (comm->me) return;
 
-  double list[NSAVED];
+  std::vector<double> list(NSAVED);
   list[VERSION] = 3.0;
-  list[FACTOR] = force->cg(1);
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
   list[DEEPEST] = deepest;
@@ -193,15 +195,18 @@ void FixHertzCg::write_restart(FILE *fp)
   list[REACH] = lengths.reach;
   list[MARGIN] = margin_;
   list[PAIRS] = pairs_per_grain_;
-  list[VALUES] = store_.values();
+  list[ROLLING] = static_cast<double>(law_.rolling);
   list[SKIN] = lengths.skin;
   list[LARGEST_SKIN] = lengths.largestSkin;
   list[SORT_BIN] = lengths.sortBin;
   list[SEARCHED] = static_cast<double>(search_step_);
   for (int d = 0; d < 3; ++d) list[STREAM + d] = stream_[d];
-  const int size = sizeof(list);
+  for (int d = 0; d < 2; ++d) list[STATE + d] = now[d];
+  list[NTYPES] = atom->ntypes;
+  for (int type = 1; type <= atom->ntypes; ++type) list.push_back(force->cg(type));
+  const int size = static_cast<int>(list.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), NSAVED, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -214,13 +219,19 @@ void FixHertzCg::restart(char *buf)
     error->fix_error(FLERR, this, "the restart file was written by another version of Grainjet; continue with that one, "
                      "or write the grains with write_data or a dump and start from them");
   memcpy(list, buf, sizeof(list));
-  if (list[VALUES] != store_.values())
+  const auto rolling = static_cast<grainjet::contact::Rolling>(static_cast<int>(list[ROLLING]));
+  grainjet::contact::LawOptions written;
+  written.rolling = rolling;
+  if (rolling != law_.rolling && (written.rollingSpring() || law_.rollingSpring()))
     error->fix_error(FLERR, this, "the restart file was written with another `rolling` model, of which contacts remember "
                      "something else; state the same one");
-  if (list[FACTOR] != force->cg(1)) {
+  for (int type = 1; type <= atom->ntypes && type <= list[NTYPES]; ++type) {
+    double factor;
+    memcpy(&factor, buf + (NSAVED + type - 1) * sizeof(double), sizeof(double));
+    if (factor == force->cg(type)) continue;
     std::ostringstream message;
-    message << "the restart file was written with `coarsegraining " << list[FACTOR]
-            << "`, this script has " << force->cg(1) << "; state the same factor before the fix";
+    message << "the restart file was written with `coarsegraining " << factor << "` for type " << type
+            << ", this script has " << force->cg(type) << "; state the same factors before the fix";
     error->fix_error(FLERR, this, message.str().c_str());
   }
   const bool first = comm->me == 0;    // sums belong to one rank
@@ -241,6 +252,46 @@ void FixHertzCg::restart(char *buf)
   pairs_per_grain_ = list[PAIRS];
   search_step_ = static_cast<bigint>(list[SEARCHED]);
   for (int d = 0; d < 3; ++d) stream_[d] = list[STREAM + d];
+  for (int d = 0; d < 2; ++d) state_restarted_[d] = list[STATE + d];
+}
+
+/* ----------------------------------------------------------------------
+   A fingerprint of all grains in two halves of 32 bits, the same on any number of ranks: a sum of one number
+   per grain, made of the bits of its ID, type, size and motion.
+------------------------------------------------------------------------- */
+
+void FixHertzCg::state(double sum[2]) const
+{
+  unsigned long long total = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    unsigned long long h = 1469598103934665603ULL;
+    const double *v = atom->v[i], *w = atom->omega[i];
+    const double values[] = {static_cast<double>(atom->tag[i]), static_cast<double>(atom->type[i]), atom->radius[i],
+                             atom->rmass[i], v[0], v[1], v[2], w[0], w[1], w[2]};
+    for (const double value : values) {
+      unsigned long long bits;
+      memcpy(&bits, &value, sizeof(bits));
+      h = (h ^ bits) * 1099511628211ULL;
+      h ^= h >> 29;
+    }
+    total += h;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, world);
+  sum[0] = static_cast<double>(total >> 32);
+  sum[1] = static_cast<double>(total & 0xffffffffULL);
+}
+
+/* ----------------------------------------------------------------------
+   A script that changes grains before it runs on (set, velocity, delete_atoms ...) does not go on with the
+   forces of the file
+------------------------------------------------------------------------- */
+
+void FixHertzCg::check_restarted()
+{
+  if (!forces_restarted_) return;
+  double now[2];
+  state(now);
+  forces_restarted_ = now[0] == state_restarted_[0] && now[1] == state_restarted_[1];
 }
 
 /* ----------------------------------------------------------------------

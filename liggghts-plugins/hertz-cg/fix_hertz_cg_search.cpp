@@ -50,6 +50,7 @@ void FixHertzCg::post_integrate()
 
 void FixHertzCg::setup_pre_exchange()
 {
+  check_restarted();
   search_.set_cutoff();
   save_contacts();
   pairs_valid_ = false;
@@ -187,6 +188,8 @@ void FixHertzCg::search()
   grains.mask = atom->mask;
   grains.group = groupbit;
   grains.frozen = freeze_bit_;
+  for (int d = 0; d < 3; ++d)
+    grains.narrow |= domain->periodicity[d] && search_.part(d) < HUGE_VAL && domain->prd[d] < 4.0 * rmax_;
   if (!pairs_.build(grains, margin_, store_, forces_restarted_))
     fail("grain " + std::to_string(atom->tag[grainjet::CellGrid::firstInvalid(nall, grains.x)])
          + " has no finite position");

@@ -17,12 +17,12 @@ class Restart(Case):
         (self.folder / "data").write_text(
             g.assembly(800, BOX, (0.001, 0.0012), speed=0.5, spin=300, seed=5))
 
-    def run_script(self, name, source, tail, ranks=0, more="", check=True):
+    def run_script(self, name, source, tail, ranks=0, more="", check=True, rolling="cdt"):
         """Run to the end; the last frame and the sums over all collisions."""
         result = self.liggghts(
             g.load(g.PLUGIN) + g.head(more=more) + source
             + "neighbor 0.0005 bin\nneigh_modify delay 0\n" + g.MATERIAL
-            + g.contacts(g.PLUGIN, rolling="cdt") + "fix i all nve/sphere\n"
+            + g.contacts(g.PLUGIN, rolling=rolling) + "fix i all nve/sphere\n"
             + "fix g all gravity 9.81 vector 0 0 -1\ntimestep 1e-6\n"
             + "variable b equal f_c[2]\nvariable d equal f_c[7]\n"
             + g.dump(END, f"dump.{name}") + tail + "print 'sums $b $d'\n",
@@ -68,6 +68,40 @@ class Restart(Case):
         self.assertFails(
             self.run_script("other", "read_restart r\n", "run 200\n", more="coarsegraining 3\n", check=False),
             "hertz/cg", "coarsegraining 2", "3")
+        # also that of another type than the first
+        self.run_script("types", "read_data data\n", "run 10\nwrite_restart r2\nrun 490\n", more="coarsegraining 2 2\n")
+        self.assertFails(
+            self.run_script("other", "read_restart r2\n", "run 200\n", more="coarsegraining 2 3\n", check=False),
+            "hertz/cg", "`coarsegraining 2` for type 2", "this script has 3")
+
+    def test_another_rolling_model(self):
+        """Springs of one model mean nothing to another; without springs the model may change."""
+        self.run_script("epsd", "read_data data\n", "run 10\nwrite_restart r\nrun 490\n", rolling="epsd")
+        for model in ("epsd2", "cdt", "off"):
+            self.assertFails(self.run_script("other", "read_restart r\n", "run 20\n", check=False, rolling=model),
+                             "hertz/cg", "another `rolling` model")
+        self.run_script("cdt", "read_data data\n", "run 10\nwrite_restart r\nrun 490\n")
+        self.run_script("off", "read_restart r\n", "run 490\n", rolling="off")
+
+    def test_rolling_springs_go_on_bit_for_bit(self):
+        whole = self.run_script("whole", "read_data data\n", "restart 300 r.*\nrun 500\n", rolling="epsd")
+        self.assertSame(whole, self.run_script("continued", "read_restart r.300\n", "run 200\n", rolling="epsd"))
+
+    def test_grains_changed_after_reading(self):
+        """What the script changes before it runs on counts from the first force: as after a file that was written
+        between runs, of which forces are worked out anew."""
+        self.run_script("whole", "read_data data\n", "restart 300 m.*\nrun 300\nwrite_restart e\nrun 200\n")
+        for change in ("set group all diameter 0.0012\n", "velocity all set 0.1 0 0\n",
+                       "run 0\ndisplace_atoms all random 1e-4 1e-4 1e-4 15485863 units box\nset group all diameter 0.00115\n"):
+            with self.subTest(change=change):
+                frames = []
+                for file in ("m.300", "e"):
+                    self.liggghts(g.load(g.PLUGIN) + g.head() + f"read_restart {file}\nneighbor 0.0005 bin\n" + g.MATERIAL
+                                  + g.contacts(g.PLUGIN, rolling="cdt") + "fix i all nve/sphere\ntimestep 1e-6\n" + change
+                                  + g.dump(100, f"dump.{file}") + "run 100\n")
+                    frames.append(g.read_dump(self.folder / f"dump.{file}"))
+                for step in frames[0]:
+                    self.assertLess(g.difference(frames[1][step], frames[0][step], g.F), 1e-9, step)
 
 
 if __name__ == "__main__":
