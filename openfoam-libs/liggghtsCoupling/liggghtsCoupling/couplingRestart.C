@@ -145,6 +145,8 @@ bool Foam::couplingRestart::writeObject
     }
     Pstream::scatter(bytes);
     counters.add("bytes", digits(bytes));
+    counters.add("sha1", formerRun::digest(partial));
+    counters.add("time", word(time.timeName(), false));
     counters.add("files", optionalFiles());
     counters.regIOobject::writeObject
     (

@@ -8,10 +8,13 @@
 #include "IFstream.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
+#include "SHA1.H"
 #include "Time.H"
 #include "volFields.H"
 
+#include <fstream>
 #include <sstream>
+#include <vector>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -83,6 +86,26 @@ Foam::fileName Foam::formerRun::found(const word& timeName) const
 }
 
 
+Foam::string Foam::formerRun::digest(const fileName& file)
+{
+    string result;
+    if (Pstream::master())
+    {
+        SHA1 sum;
+        std::ifstream is(file, std::ios::binary);
+        std::vector<char> buffer(1 << 20);
+        while (is)
+        {
+            is.read(buffer.data(), buffer.size());
+            sum.append(buffer.data(), is.gcount());
+        }
+        result = sum.str();
+    }
+    Pstream::scatter(result);
+    return result;
+}
+
+
 bool Foam::formerRun::anywhere(const word& name, const fileName& local) const
 {
     const IOobject io(header(name, local));
@@ -124,12 +147,15 @@ Foam::wordList Foam::formerRun::traces() const
 }
 
 
-bool Foam::formerRun::otherTimes() const
+bool Foam::formerRun::earlierTimes() const
 {
     bool any = false;
     for (const instant& i : mesh_.time().times())
     {
-        any = !found(i.name()).empty() || any;
+        // Later ones may be of a former try that began here
+        const bool earlier =
+            i.value() < mesh_.time().value() - 0.5*mesh_.time().deltaTValue();
+        any = (earlier && !found(i.name()).empty()) || any;
     }
     return any;
 }
@@ -164,7 +190,7 @@ Foam::fileName Foam::formerRun::table() const
                 is.getLine(line);
                 std::istringstream words(line);
                 scalar t = 0;
-                if (words >> t && t > start*(1 - 1e-6))
+                if (words >> t && t >= start - 1e-6*mag(start))
                 {
                     reached = file;
                 }
@@ -183,22 +209,26 @@ void Foam::formerRun::incomplete
 ) const
 {
     const Time& time = mesh_.time();
+
+    // Every rank may be the first to print, with the names of the first one
+    fileName folder(time.relativePath(time.timePath()));
+    Pstream::scatter(folder);
+
     FatalErrorInFunction
         << what.c_str() << ".\n"
         << "    Time " << time.timeName() << " was written by a coupled run, which was"
         << " probably killed while writing, or the file was not copied with the others."
-        << " Remove the folder " << time.timePath()
-        << " or set startTime in " << time.controlDict().name()
-        << " to a complete time.\n"
+        << " Remove the folder " << folder
+        << " or set startTime in system/controlDict to a complete time.\n"
         << "    To begin with new grains in this flow, remove what belongs to the former"
         << " ones: ";
     if (traces.empty())
     {
-        FatalError << "the files " << grainsName << " of the other times";
+        FatalError << "the files " << grainsName << " of earlier times";
     }
     else
     {
-        FatalError << "the files " << traces << " in " << time.timePath();
+        FatalError << "the files " << traces << " in " << folder;
     }
     FatalError << exit(FatalError);
 }
@@ -211,7 +241,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
 
     const IOdictionary dict(header(propertiesName, "uniform"));
 
-    for (const word& key : {"demStep", "grains", "stamp", "bytes", "files"})
+    for (const word& key : {"time", "demStep", "grains", "stamp", "bytes", "sha1", "files"})
     {
         if (!dict.found(key))
         {
@@ -222,6 +252,17 @@ void Foam::formerRun::readProperties(const wordList& traces)
                 << " continued. Continue them with that version"
                 << exit(FatalIOError);
         }
+    }
+
+    const scalar written = dict.get<scalar>("time");
+    if (mag(written - mesh_.time().value()) > 0.5*mesh_.time().deltaTValue())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The grains in time " << mesh_.time().timeName() << " were written at time "
+            << written << ". They belong to the fields of that time: copy them there, or, if"
+            << " all of this folder is of that time and the run shall go on from here, set"
+            << " the entry time of " << dict.objectPath() << " to "
+            << mesh_.time().timeName() << exit(FatalIOError);
     }
 
     inserted_ = dict.get<scalar>("inserted");
@@ -244,6 +285,11 @@ void Foam::formerRun::readProperties(const wordList& traces)
         message << "The file of grains " << grains_.file << " has " << bytes << " bytes instead of "
             << expected;
         incomplete(message.str(), traces);
+    }
+
+    if (digest(path) != dict.get<string>("sha1"))
+    {
+        incomplete("The file of grains " + grains_.file + " is damaged: its checksum differs", traces);
     }
 
     checkFiles(dict.get<wordList>("files"), traces);
@@ -318,22 +364,19 @@ Foam::formerRun::formerRun(const fvMesh& mesh)
     {
         incomplete(what, names);
     }
-    if (time.value() > 0)
+    if (earlierTimes())
     {
-        if (otherTimes())
-        {
-            incomplete(what + ", while other times of this case have theirs", names);
-        }
-        const fileName reached(table());
-        if (!reached.empty())
-        {
-            incomplete
-            (
-                what + ", while " + reached + " says that a coupled run has come up to"
-                " this time (remove that, too, to begin with new grains)",
-                names
-            );
-        }
+        incomplete(what + ", while earlier times of this case have theirs", names);
+    }
+    const fileName reached(table());
+    if (!reached.empty())
+    {
+        incomplete
+        (
+            what + ", while " + reached + " says that a coupled run has come up to"
+            " this time (remove that, too, to begin with new grains)",
+            names
+        );
     }
 }
 

@@ -149,6 +149,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         voidFractionModel::New(voidFractionDict(coeffs_), locator_)
     ),
     sampler_(fluidSampler::New(coeffs_, locator_)),
+    former_(mesh),
     momentum_(grainMomentum::New(coeffs_, fluid_)),
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
     shares_(locator_, boxes_),
@@ -226,11 +227,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
             coeffs_.lookupOrDefault<fileName>("log", "log.liggghts")
         )
     );
-    const formerRun former(mesh);
     {
         // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
         const noFloatTraps quiet;
-        session_->start(script_, former.grains());
+        session_->start(script_, former_.grains());
     }
     checkTimeStep();
     checkOverlap();
@@ -240,7 +240,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     setGravity();
 
     guests_.reset(new guestGrains(session_(), locator_, boxes_));
-    if (former.continues())
+    if (former_.continues())
     {
         guests_->recall();
     }
@@ -251,7 +251,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     }
 
     const scalar present = session_->counts().present;
-    if (!former.continues() && present > 0 && guests_->outside() == present)
+    if (!former_.continues() && present > 0 && guests_->outside() == present)
     {
         FatalIOErrorInFunction(coeffs_)
             << "None of the " << present << " grains of " << script_
@@ -264,11 +264,11 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 
     restart_.reset
     (
-        new couplingRestart(mesh, session_(), momentum_(), log_, former)
+        new couplingRestart(mesh, session_(), momentum_(), log_, former_)
     );
 
     Info<< "    LIGGGHTS: " << script_ << ", " << present
-        << (former.continues() ? " continued" : " new") << " grains, "
+        << (former_.continues() ? " continued" : " new") << " grains, "
         << interval_ << " DEM steps of " << session_->timeStep()
         << " s per fluid step" << nl << endl;
 }

@@ -63,25 +63,26 @@ const char* const reads =
 
 void Foam::liggghtsSession::openLog(const bool continued)
 {
-    if (log_ == "none")
-    {
-        return;
-    }
-
-    // The lock ends with the process, however that ends
+    // The lock is on the folder and ends with the process, however that ends. File systems that have
+    // no locks have none
     enum {FREE, TAKEN, FAILED};
     int state[2] = {FREE, 0};
     if (lmp_->comm->me == 0)
     {
-        lock_ = open(log_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (lock_ < 0)
-        {
-            state[0] = FAILED;
-            state[1] = errno;
-        }
-        else if (flock(lock_, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
+        lock_ = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK)
         {
             state[0] = TAKEN;
+        }
+        else if (log_ != "none")
+        {
+            const int file = open(log_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+            state[0] = file < 0 ? FAILED : FREE;
+            state[1] = errno;
+            if (file >= 0)
+            {
+                close(file);
+            }
         }
     }
     MPI_Bcast(state, 2, MPI_INT, 0, lmp_->world);
@@ -98,10 +99,13 @@ void Foam::liggghtsSession::openLog(const bool continued)
     {
         sessionError
         (
-            "Another run is writing the log file " + log_ + " in " + folder_
-          + ": two runs in one case would destroy each other's results. Stop the other"
-            " one, or copy the case. (Entry log gives the name of the file.)"
+            "Another run works in " + folder_ + ": two runs in one case would destroy each"
+            " other's results. Stop the other one, or copy the case"
         );
+    }
+    if (log_ == "none")
+    {
+        return;
     }
 
     lmp_->input->one(("log \"" + log_ + "\"" + (continued ? " append" : "")).c_str());

@@ -223,6 +223,66 @@ class Missing(grainjet.Case):
         self.edit(folder, ("fix fluid all", "fix another all"))
         self.assertRefused(folder, "gives fix fluid/force another ID", "0.0004/uniform/liggghts.restart")
 
+    # ---- files that are whole but wrong
+
+    @staticmethod
+    def overwrite(path, bytes_at):
+        with open(path, "r+b") as file:
+            for at, value in bytes_at:
+                file.seek(at)
+                file.write(value)
+
+    def test_damaged_grains(self):
+        """One bit, or nothing but zeros as after a power cut: LIGGGHTS would go on, crash, or print without end."""
+        for ranks in (0, 2):
+            good = self.first_run(ranks, name=f"case{ranks}")
+            grains = "uniform/liggghts.restart"
+            size = next(good.glob(f"**/{LAST}/{grains}")).stat().st_size
+            middle = next(good.glob(f"**/{LAST}/{grains}")).read_bytes()[size // 2]
+            for what in ([(size // 2, bytes([middle ^ 16]))], [(0, bytes(size))]):
+                bad = self.damaged(good, lambda t: self.overwrite(t / grains, what), ranks)
+                self.assertRefused(bad, "is damaged: its checksum differs", LAST, ranks=ranks)
+
+    def test_grains_of_another_time(self):
+        folder = self.first_run(steps=4, every=2)
+        for name in ("liggghts.restart", "liggghtsCouplingProperties"):
+            shutil.copy(folder / "0.0002/uniform" / name, folder / LAST / "uniform" / name)
+        self.assertRefused(folder, "The grains in time 0.0004 were written at time 0.0002", "liggghtsCouplingProperties")
+
+        # a folder renamed on purpose: the message says how to go on
+        shutil.rmtree(folder / LAST)
+        (folder / "0.0002").rename(folder / LAST)
+        shutil.rmtree(folder / "postProcessing")
+        self.assertRefused(folder, "set the entry time of")
+        properties = folder / LAST / "uniform/liggghtsCouplingProperties"
+        text = properties.read_text()
+        self.assertRegex(text, r"\ntime +0.0002;")
+        properties.write_text(text.replace("0.0002;", "0.0004;"))
+        shutil.rmtree(folder / "0.0002", ignore_errors=True)
+        self.assertIn("continued grains", self.go_on(folder, check=True).output)
+
+    def test_begun_again_where_it_began(self):
+        """Initial conditions at 0.5, run twice from there: new grains both times."""
+        folder = self.first_run()
+        for path in folder.glob("0.0*"):
+            shutil.rmtree(path)
+        shutil.rmtree(folder / "postProcessing", ignore_errors=True)
+        (folder / "0").rename(folder / "0.5")
+        control = folder / "system/controlDict"
+        text = control.read_text()
+        control.write_text(text + "\nstartFrom startTime;\nstartTime 0.5;\nendTime 0.5004;\n")
+        for _ in range(2):
+            self.assertIn("new grains", self.go_on(folder, check=True).output)
+
+    def test_missing_on_one_rank_with_master_reading(self):
+        """Ranks that read through the master must all come to the error, none waits for another one."""
+        good = self.first_run(2)
+        control = good / "system/controlDict"
+        control.write_text(control.read_text() + '\nOptimisationSwitches { fileHandler masterUncollated; }\n')
+        for processor in ("processor0", "processor1"):
+            bad = self.damaged(good, lambda t: (t.parents[1] / processor / LAST / "particleMomentumOwed").unlink(), 2)
+            self.assertRefused(bad, "particleMomentumOwed", LAST, ranks=2)
+
     # ---- the log, and two runs at once
 
     def test_log_is_kept(self):
@@ -232,7 +292,13 @@ class Missing(grainjet.Case):
         self.assertTrue((folder / "log.liggghts").read_text().startswith(first))
 
     def test_two_runs_in_one_case(self):
-        folder = self.first_run()
+        for log in ('"log.liggghts"', "none"):
+            with self.subTest(log=log):
+                self.two_runs(log)
+
+    def two_runs(self, log):
+        folder = self.first_run(name="case-" + log.strip(chr(34))[:4])
+        box.fv_options(folder, log=log)
         end_at(folder, 100000)
         control = folder / "system/controlDict"
         control.write_text(control.read_text().replace("writeInterval 4", "writeInterval 100000"))
@@ -242,7 +308,7 @@ class Missing(grainjet.Case):
             for line in other.stdout:
                 if line.startswith(b"Time = "):
                     break
-            self.assertFails(self.go_on(folder), "Another run is writing the log file log.liggghts")
+            self.assertFails(self.go_on(folder), "Another run works in")
         finally:
             other.kill()
             other.communicate()
