@@ -6,6 +6,8 @@
 
 #include "hertz-cg/search_settings.h"
 
+#include "host/expose_member.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -18,26 +20,24 @@
 using namespace LAMMPS_NS;
 using namespace grainjet;
 
-/* Settings that the host keeps to itself, reached through pointers to members; access is
-   not checked in an explicit instantiation. No source of the host is touched.           */
-namespace {
+// Settings that the host keeps to itself
+namespace grainjet {
 
-template <class Tag, typename Tag::type Member>
-struct Expose {
-  friend typename Tag::type member(Tag) { return Member; }
-};
-
-struct BinSizeFlag { typedef int Neighbor::*type; friend type member(BinSizeFlag); };
-struct BinSize { typedef double Neighbor::*type; friend type member(BinSize); };
-struct SortBinSize { typedef double Atom::*type; friend type member(SortBinSize); };
-struct CommStyle { typedef int Comm::*type; friend type member(CommStyle); };
-struct BorderGroup { typedef int Comm::*type; friend type member(BorderGroup); };
+struct BinSizeFlag { using type = int Neighbor::*; friend type member(BinSizeFlag); };
+struct BinSize { using type = double Neighbor::*; friend type member(BinSize); };
+struct SortBinSize { using type = double Atom::*; friend type member(SortBinSize); };
+struct CommStyle { using type = int Comm::*; friend type member(CommStyle); };
+struct BorderGroup { using type = int Comm::*; friend type member(BorderGroup); };
 
 template struct Expose<BinSizeFlag, &Neighbor::binsizeflag>;
 template struct Expose<BinSize, &Neighbor::binsize_user>;
 template struct Expose<SortBinSize, &Atom::userbinsize>;
 template struct Expose<CommStyle, &Comm::style>;
 template struct Expose<BorderGroup, &Comm::bordergroup>;
+
+}
+
+namespace {
 
 // never reached by the counter of steps since the last search; the host wants a multiple of `every`
 int never(int every)

@@ -36,6 +36,15 @@ def mpirun(ranks):
     return ["mpirun", *root, "-np", str(ranks)]
 
 
+def liggghts_examples():
+    """The folder of LIGGGHTS' own tutorials, of the installed version; fetched on first use and then kept."""
+    fetch = subprocess.run([ROOT / "openfoam-libs/tools/debian-source", "liggghts", "examples"],
+                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if fetch.returncode:
+        raise AssertionError(f"no sources of LIGGGHTS to take its examples from:\n{fetch.stderr}")
+    return pathlib.Path(fetch.stdout.strip()) / "examples/LIGGGHTS/Tutorials_public"
+
+
 class Run:
     """Exit code and output of a finished program."""
 

@@ -7,15 +7,11 @@ in memory: the plugin has to stay as close to it as that does, but for a factor 
 first digits happen to change. By default the stock program remembers tangential springs of grains that have
 parted until its next list; `neigh_modify contact_distance_factor` makes it forget at once, as the plugin does."""
 
-import pathlib
 import re
 import shutil
-import subprocess
 import unittest
 
 import grainjet
-
-TUTORIALS = "examples/LIGGGHTS/Tutorials_public"
 
 # folder, script, step at which long runs end
 RUN = (
@@ -37,15 +33,6 @@ REFUSED = (
     ("multisphere_stone_restitution", "in.multisphere", ("multispheres", "use `pair_style gran`")),
     ("hydrogel_multicontact", "in.hydrogel_multicontact", ("surface must be default",)),
 )
-
-
-def examples():
-    """The folder of the shipped examples, fetched on first use and then kept."""
-    fetch = subprocess.run([grainjet.ROOT / "openfoam-libs/tools/debian-source", "liggghts", "examples"],
-                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if fetch.returncode:
-        raise AssertionError(f"no sources of LIGGGHTS to take its examples from:\n{fetch.stderr}")
-    return pathlib.Path(fetch.stdout.strip()) / TUTORIALS
 
 
 def with_fix(text):
@@ -81,7 +68,7 @@ class StockExamples(grainjet.Case):
 
     def run_example(self, example, script, steps, name, edit, ranks=0, check=True):
         folder = self.folder / f"{example}-{script}-{name}"
-        shutil.copytree(examples() / example, folder)
+        shutil.copytree(grainjet.liggghts_examples() / example, folder)
         (folder / "post").mkdir(exist_ok=True)
         text = (folder / script).read_text()
         if steps:

@@ -6,28 +6,15 @@ write and all they print must be the same to the byte, but for clock times. The 
 come from the Debian source package of the installed version, like OpenFOAM's headers for the build.
 """
 
-import pathlib
 import re
 import shutil
-import subprocess
 import unittest
 
 import grainjet
 
-TUTORIALS = "examples/LIGGGHTS/Tutorials_public"
-
 # lines that hold a clock time, and what depends on it
 CLOCK = re.compile(r"^(Setting up run at|Loop time of|(Pair|Neigh|Comm|Outpt|Other|Modify|Fix) .*time|"
                    r"CPU time|.*finish time|.*\d+:\d\d:\d\d)")
-
-
-def examples():
-    """The folder of the shipped examples, fetched on first use and then kept."""
-    fetch = subprocess.run([grainjet.ROOT / "openfoam-libs/tools/debian-source", "liggghts", "examples"],
-                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if fetch.returncode:
-        raise AssertionError(f"no sources of LIGGGHTS to take its examples from:\n{fetch.stderr}")
-    return pathlib.Path(fetch.stdout.strip()) / TUTORIALS
 
 
 def written(folder):
@@ -53,7 +40,7 @@ class ShippedExamples(grainjet.Case):
         results, files = {}, {}
         for program in ("liggghts", "liggghts-plugins"):
             folder = self.folder / f"{example}-{ranks}-{program}"
-            shutil.copytree(examples() / example, folder)
+            shutil.copytree(grainjet.liggghts_examples() / example, folder)
             (folder / "post").mkdir(exist_ok=True)
             text = (folder / script).read_text()
             text, runs = re.subn(r"(?m)^run\s+\d{4,}(\s+upto)?\s*$", f"run {steps} upto", text)
