@@ -19,7 +19,8 @@ run()
     "$@" > "$log" 2>&1 || { ending "$log"; fail "$1 failed, see $PWD/$log"; }
 }
 
-# following <log> <end> <what> [begin]: a line of progress every 10 s while the process $! works
+# following <log> <end> <what> [begin]: a line of progress every 10 s (GRAINJET_PROGRESS, for short
+# jobs) while the process $! works
 following()
 {
     local job=$! log=$1 end=$2 what=$3 begin=${4:-0} first=$SECONDS last=$SECONDS
@@ -27,7 +28,7 @@ following()
     while kill -0 "$job" 2> /dev/null
     do
         sleep 1
-        if [ $((SECONDS - last)) -ge 10 ]
+        if [ $((SECONDS - last)) -ge "${GRAINJET_PROGRESS:-10}" ]
         then
             last=$SECONDS
             progress "$log" "$end" $((SECONDS - first)) "$begin"
