@@ -91,19 +91,20 @@ class TwoImages(Case):
 
     def test_grains_that_touch_through_two_sides(self):
         """A periodic box of 1.4 diameters: two grains touch on both sides at once, and each contact keeps its own
-        spring through searches and ranks. Without loss in the law the energy stays; mixed up springs made 28 % of it."""
-        (self.folder / "data").write_text("two\n\n2 atoms\n1 atom types\n0 0.0014 xlo xhi\n0 0.004 ylo yhi\n0 0.004 zlo zhi\n\n"
-            "Atoms\n\n1 1 0.001 2500 0.0003 0.002 0.002\n2 1 0.001 2500 0.00101 0.00262 0.002\n\n"
-            "Velocities\n\n1 0.02 0.2 0 0 0 100\n2 -0.02 -0.2 0 0 0 -50\n")
+        spring through searches and ranks. Without loss in the law the energy stays to 0.4 %, since a spring may be lost
+        while a contact pulls; mixed up ones made 3 % of it on one rank and 28 % on two."""
+        (self.folder / "data").write_text("two\n\n2 atoms\n1 atom types\n0 0.0014 xlo xhi\n0 0.003 ylo yhi\n0 0.003 zlo zhi\n\n"
+            "Atoms\n\n1 1 0.001 2500 0.0001 0.001 0.0015\n2 1 0.001 2500 0.00081 0.0018 0.0015\n\n"
+            "Velocities\n\n1 0 0.3 0.05 300 50 300\n2 0 -0.3 -0.05 -200 -70 400\n")
         material = "".join(f"fix {n} all property/global {text}\n" for n, text in (
             ("m1", "youngsModulus peratomtype 5.e6"), ("m2", "poissonsRatio peratomtype 0.3"),
             ("m3", "coefficientRestitution peratomtypepair 1 1"), ("m4", "coefficientFriction peratomtypepair 1 0.9")))
         for ranks in (0, 2):
             for more in ("", "restart 10 scratch.a scratch.b\n"):
-                result = self.liggghts(g.load(g.PLUGIN) + g.head("p f f" if not ranks else "p p p") + "processors 1 * *\nread_data data\nneighbor 0.0001 bin\n" + material
+                result = self.liggghts(g.load(g.PLUGIN) + g.head("p p p") + "processors 1 * *\nread_data data\nneighbor 0.0001 bin\n" + material
                     + "fix c all hertz/cg tangential_damping off\nfix i all nve/sphere\ntimestep 2e-7\n" + more
                     + "compute k all ke\ncompute r all erotate/sphere\nvariable e equal c_k+c_r+f_c[6]+f_c[7]\nvariable n equal f_c[1]\n"
-                    "thermo_style custom step v_n v_e\nthermo 100\nrun 2000\n", ranks)
+                    "thermo_style custom step v_n v_e\nthermo 100\nrun 3000\n", ranks)
                 rows = [list(map(float, line.split())) for line in result.output.split("\n") if len(line.split()) == 3 and line.split()[0].isdigit()]
                 self.assertEqual(max(row[1] for row in rows), 2, "never touched on both sides")
                 for row in rows:
