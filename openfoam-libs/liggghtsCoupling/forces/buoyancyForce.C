@@ -18,18 +18,51 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::buoyancyForce::buoyancyForce(const carrierFluid& fluid)
+Foam::buoyancyForce::buoyancyForce(const dictionary& dict, forceNeeds& needs)
 :
-    grainForce(fluid)
-{}
+    grainForce(dict, needs),
+    rho_(needs.quantity("rho"))
+{
+    needs.nonReacting();
+    if (fluid_.holdsHydrostatic())
+    {
+        FatalIOErrorInFunction(dict)
+            << "forces: the pressure of this solver holds the hydrostatic part, so that"
+            << " pressureGradient holds buoyancy. Take buoyancy out, and use"
+            << " pressureGradient" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::buoyancyForce::bodyForce() const
+void Foam::buoyancyForce::prepare()
 {
-    return -fluid_.rho()*fluid_.g();
+    if (!fluid_.hasGravity())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "forces: buoyancy needs gravity, but the input script of LIGGGHTS"
+            << " has no fix gravity. Add it there, for instance\n"
+            << "    fix g all gravity 9.81 vector 0 0 -1\n"
+            << "or take buoyancy out" << exit(FatalIOError);
+    }
 }
+
+
+void Foam::buoyancyForce::add(grainBatch& grains) const
+{
+    const lane& rho = *grains.fluid(rho_);
+    const vector& g = fluid_.g();
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            grains.nonReactingSu[k][i] -= grains.volume[i]*rho[i]*g[k];
+        }
+    }
+}
+
 
 
 // ************************************************************************* //

@@ -17,10 +17,30 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::grainForce::grainForce(const carrierFluid& fluid)
+Foam::grainForce::grainForce
+(
+    const dictionary& dict,
+    const forceNeeds& needs,
+    checkedElsewhere
+)
 :
-    fluid_(fluid)
+    dict_(dict),
+    fluid_(needs.fluid())
 {}
+
+
+Foam::grainForce::grainForce
+(
+    const dictionary& dict,
+    const forceNeeds& needs,
+    const knownEntries::table& entries
+)
+:
+    dict_(dict),
+    fluid_(needs.fluid())
+{
+    knownEntries::checkOnMaster(dict, entries);
+}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
@@ -29,7 +49,7 @@ Foam::autoPtr<Foam::grainForce> Foam::grainForce::New
 (
     const word& name,
     const dictionary& dict,
-    const carrierFluid& fluid
+    forceNeeds& needs
 )
 {
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
@@ -45,7 +65,8 @@ Foam::autoPtr<Foam::grainForce> Foam::grainForce::New
         ) << exit(FatalIOError);
     }
 
-    return autoPtr<grainForce>(cstrIter()(fluid));
+    needs.begin(name, dict);
+    return autoPtr<grainForce>(cstrIter()(dict, needs));
 }
 
 

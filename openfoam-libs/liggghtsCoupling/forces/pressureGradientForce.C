@@ -6,7 +6,6 @@
 
 #include "pressureGradientForce.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvcGrad.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,25 +18,46 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::pressureGradientForce::pressureGradientForce(const carrierFluid& fluid)
+Foam::pressureGradientForce::pressureGradientForce
+(
+    const dictionary& dict,
+    forceNeeds& needs
+)
 :
-    grainForce(fluid)
-{}
+    grainForce(dict, needs),
+    gradP_(needs.quantity("gradP")),
+    reacts_(needs.stressReacts()),
+    quantities_(needs.quantities())
+{
+    if (!reacts_)
+    {
+        needs.nonReacting();
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pressureGradientForce::addDensity(volVectorField& density) const
+void Foam::pressureGradientForce::add(grainBatch& grains) const
 {
-    const tmp<volVectorField> tgradp(fvc::grad(fluid_.p()));
-    const vectorField& gradp = tgradp().primitiveField();
+    const lane* gradP = grains.fluid(gradP_);
+    lane* Su = reacts_ ? grains.Su : grains.nonReactingSu;
 
-    vectorField& f = density.primitiveFieldRef();
-    forAll(f, celli)
+    for (direction k = 0; k < 3; ++k)
     {
-        f[celli] -= fluid_.rho()*gradp[celli];
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            Su[k][i] -= grains.volume[i]*gradP[k][i];
+        }
     }
 }
+
+
+Foam::vector Foam::pressureGradientForce::stressDensity(const label celli) const
+{
+    return -quantities_.vectorField(gradP_)[celli];
+}
+
 
 
 // ************************************************************************* //

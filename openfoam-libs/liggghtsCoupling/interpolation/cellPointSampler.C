@@ -21,12 +21,12 @@ namespace Foam
 
 inline void Foam::cellPointSampler::put
 (
-    const guestGrain& grain,
-    tetBatch& batch,
-    const label i
+    const grainBatch& grains,
+    const label i,
+    tetBatch& batch
 ) const
 {
-    if (!hasPyramid(grain))
+    if (!hasPyramid(grains, i))
     {
         // The tetrahedron of the three axes
         for (direction k = 0; k < 3; ++k)
@@ -40,9 +40,9 @@ inline void Foam::cellPointSampler::put
     }
 
     // All is read before the first is written, as the compiler can't know that they differ
-    const point centre(locator_.block(grain.cell)->centre);
-    const FixedList<label, 4> corners(corners_[grain.pyramid]);
-    const vector r(grain.position - centre);
+    const point centre(locator_.block(grains.cell[i])->centre);
+    const FixedList<label, 4> corners(corners_[grains.pyramid[i]]);
+    const vector r(position(grains, i) - centre);
     const vector b(positions_[corners[0]] - centre);
     const vector q(positions_[corners[1]] - centre);
     const vector d(positions_[corners[2]] - centre);
@@ -60,7 +60,8 @@ inline void Foam::cellPointSampler::put
 
 Foam::cellPointSampler::weights Foam::cellPointSampler::search
 (
-    const guestGrain& grain
+    const point& p,
+    const label celli
 ) const
 {
     weights result;
@@ -68,7 +69,7 @@ Foam::cellPointSampler::weights Foam::cellPointSampler::search
     // tetrahedron that is found first
     const cellPointWeight cpw
     (
-        mesh_, locator_.drawnIn(grain.position, grain.cell), grain.cell
+        mesh_, locator_.drawnIn(p, celli), celli
     );
     for (direction k = 0; k < 4; ++k)
     {
@@ -121,94 +122,72 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellPointSampler::update
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
+void Foam::cellPointSampler::update(const sampledFields& fields)
 {
-    values_.update(U, force, voidFraction);
+    values_.update(fields);
 }
 
 
-void Foam::cellPointSampler::soon(const label celli, const label pyramid) const
-{
-    if (pyramid >= 0)
-    {
-        __builtin_prefetch(&corners_[pyramid]);
-    }
-    __builtin_prefetch(&values_.inCell(celli));
-    __builtin_prefetch(&locator_.block(celli)->centre);
-}
-
-
-void Foam::cellPointSampler::verySoon(const label pyramid) const
-{
-    if (pyramid >= 0 && corners_[pyramid][0] >= 0)
-    {
-        for (const label pointi : corners_[pyramid])
-        {
-            __builtin_prefetch(&values_.atPoint(pointi));
-            __builtin_prefetch(&positions_[pointi]);
-        }
-    }
-}
-
-
-void Foam::cellPointSampler::at
-(
-    const UList<guestGrain>& grains,
-    sample* fluid
-) const
+void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
 {
     // A point on a common face of tetrahedra may be taken for either: the
     // interpolation is continuous
     const scalar tolerance = -1e-10;
 
     tetBatch batch;
-    for (label first = 0; first < grains.size(); first += tetBatch::size)
+    for (label i = 0; i < grainBatch::size; ++i)
     {
-        const label n = min(label(tetBatch::size), grains.size() - first);
-        for (label i = 0; i < tetBatch::size; ++i)
+        put(grains, i, batch);
+    }
+    batch.weigh();
+
+    const label width = values_.width();
+    const label nLanes = values_.nLanes();
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        weights at;
+        if (hasPyramid(grains, i) && batch.least[i] >= tolerance)
         {
-            put(grains[first + min(i, n - 1)], batch, i);
+            const FixedList<label, 4>& points = corners_[grains.pyramid[i]];
+            for (label k = 0; k < 4; ++k)
+            {
+                at.w[k] = batch.weights[k][i];
+            }
+            at.points[0] = points[0];
+            at.points[1] = points[2];
+            at.points[2] = points[1 + 2*label(batch.isOther[i])];
         }
-        batch.weigh();
-
-        for (label i = 0; i < n; ++i)
+        else if (i < grains.n)
         {
-            const guestGrain& grain = grains[first + i];
-            weights at;
-            if (hasPyramid(grain) && batch.least[i] >= tolerance)
+            at = search(position(grains, i), grains.cell[i]);
+        }
+        else
+        {
+            for (label k = 0; k < nLanes; ++k)
             {
-                const FixedList<label, 4>& points = corners_[grain.pyramid];
-                for (label k = 0; k < 4; ++k)
-                {
-                    at.w[k] = batch.weights[k][i];
-                }
-                at.points[0] = points[0];
-                at.points[1] = points[2];
-                at.points[2] = points[1 + 2*label(batch.isOther[i])];
+                lanes[k][i] = lanes[k][grains.n - 1];
             }
-            else
-            {
-                at = search(grain);
-            }
+            continue;
+        }
 
-            typedef pointValues::packed packed;
-            packed sum{};
-            sum.add(at.w[0], values_.inCell(grain.cell));
-            for (direction k = 0; k < 3; ++k)
+        const scalar* v0 = values_.inCell(grains.cell[i]);
+        const scalar* v1 = values_.atPoint(at.points[0]);
+        const scalar* v2 = values_.atPoint(at.points[1]);
+        const scalar* v3 = values_.atPoint(at.points[2]);
+        for (label first = 0; first < width; first += pointValues::blockSize)
+        {
+            scalar sum[pointValues::blockSize];
+            for (label k = 0; k < pointValues::blockSize; ++k)
             {
-                sum.add(at.w[k + 1], values_.atPoint(at.points[k]));
+                const label c = first + k;
+                sum[k] =
+                    at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
             }
-            fluid[first + i] = sample
+            const label n = min(pointValues::blockSize, nLanes - first);
+            for (label k = 0; k < n; ++k)
             {
-                sum.get(packed::U),
-                sum.get(packed::force),
-                sum.values[packed::voidFraction]
-            };
+                lanes[first + k][i] = sum[k];
+            }
         }
     }
 }

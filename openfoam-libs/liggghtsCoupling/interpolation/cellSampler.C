@@ -20,38 +20,50 @@ namespace Foam
 
 Foam::cellSampler::cellSampler(const cellLocator&)
 :
-    U_(nullptr),
-    force_(nullptr),
-    voidFraction_(nullptr)
+    fields_(nullptr)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellSampler::update
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
+void Foam::cellSampler::update(const sampledFields& fields)
 {
-    U_ = &U;
-    force_ = &force;
-    voidFraction_ = &voidFraction;
+    fields_ = &fields;
 }
 
 
-void Foam::cellSampler::at
+void Foam::cellSampler::ofCells
 (
-    const UList<guestGrain>& grains,
-    sample* fluid
-) const
+    const sampledFields& fields,
+    const grainBatch& grains,
+    grainBatch::lane* lanes
+)
 {
-    forAll(grains, i)
+    for (const sampledFields::field& field : fields.fields)
     {
-        const label celli = grains[i].cell;
-        fluid[i] = sample{(*U_)[celli], (*force_)[celli], (*voidFraction_)[celli]};
+        grainBatch::lane* to = lanes + field.lane;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            if (field.scalar)
+            {
+                to[0][i] = (*field.scalar)[grains.cell[i]];
+            }
+            else
+            {
+                const vector& v = (*field.vector)[grains.cell[i]];
+                for (direction k = 0; k < 3; ++k)
+                {
+                    to[k][i] = v[k];
+                }
+            }
+        }
     }
+}
+
+
+void Foam::cellSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
+{
+    ofCells(*fields_, grains, lanes);
 }
 
 

@@ -6,6 +6,9 @@
 
 #include "coupledPoints.H"
 #include "coincidentPoints.H"
+#include "Pstream.H"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -64,6 +67,60 @@ Foam::coupledPoints::coupledPoints(const polyMesh& mesh)
     for (const rankPoint& a : arriving)
     {
         members_[a.second()] += start[a.first()];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::coupledPoints::sum(scalar* values, const label width) const
+{
+    List<scalar> arrived;
+    if (Pstream::parRun())
+    {
+        List<List<scalar>> send(Pstream::nProcs());
+        labelList nArriving(nArriving_);
+        forAll(needed_, proci)
+        {
+            nArriving[proci] *= width;
+            send[proci].setSize(width*needed_[proci].size());
+            forAll(needed_[proci], i)
+            {
+                std::copy_n
+                (
+                    values + width*needed_[proci][i], width, &send[proci][width*i]
+                );
+            }
+        }
+        List<List<scalar>> received(Pstream::nProcs());
+        Pstream::exchange<List<scalar>, scalar>(send, nArriving, received);
+        for (const List<scalar>& list : received)
+        {
+            arrived.append(list);
+        }
+    }
+
+    List<scalar> all(width);
+    for (label g = 0; g + 1 < firstMember_.size(); ++g)
+    {
+        all = 0;
+        for (label i = firstMember_[g]; i < firstMember_[g + 1]; ++i)
+        {
+            const label m = members_[i];
+            const scalar* member =
+                m < nPoints_ ? values + width*m : &arrived[width*(m - nPoints_)];
+            for (label k = 0; k < width; ++k)
+            {
+                all[k] += member[k];
+            }
+        }
+        for (label i = firstMember_[g]; i < firstMember_[g + 1]; ++i)
+        {
+            if (members_[i] < nPoints_)
+            {
+                std::copy_n(all.cdata(), width, values + width*members_[i]);
+            }
+        }
     }
 }
 

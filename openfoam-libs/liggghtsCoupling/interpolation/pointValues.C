@@ -12,6 +12,8 @@
 #include "processorPolyPatch.H"
 #include "volPointInterpolation.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::pointValues::onPatch(const label bFacei) const
@@ -32,27 +34,20 @@ void Foam::pointValues::makeWeights()
         SubList<face>(mesh_.faces(), mesh_.nBoundaryFaces(), nInner),
         points
     );
-    const auto sum = [&](const label pointi) -> scalar&
-    {
-        return points_[pointi].values[packed::voidFraction];
-    };
+    List<scalar> sum(mesh_.nPoints(), Zero);
 
     // Points of walls, inlets, outlets take the values of faces there, others those of cells
-    for (packed& p : points_)
-    {
-        p = packed{};
-    }
     forAll(boundary, bFacei)
     {
         if (onPatch(bFacei))
         {
             for (const label pointi : boundary[bFacei])
             {
-                sum(pointi) = 1;
+                sum[pointi] = 1;
             }
         }
     }
-    coupled_.sum(points_.data());
+    coupled_.sum(sum.data(), 1);
 
     // Inverse distances, as volPointInterpolation, over their sum on all sides
     DynamicList<label> parts(8*mesh_.nPoints());
@@ -67,7 +62,7 @@ void Foam::pointValues::makeWeights()
             weights.append(1/mag(points[pointi] - centre));
         };
 
-        if (sum(pointi) > 0)
+        if (sum[pointi] > 0)
         {
             for
             (
@@ -89,20 +84,20 @@ void Foam::pointValues::makeWeights()
             }
         }
 
-        sum(pointi) = 0;
+        sum[pointi] = 0;
         for (label i = firstPart_[pointi]; i < weights.size(); ++i)
         {
-            sum(pointi) += weights[i];
+            sum[pointi] += weights[i];
         }
     }
     firstPart_.last() = parts.size();
-    coupled_.sum(points_.data());
+    coupled_.sum(sum.data(), 1);
 
     forAll(points, pointi)
     {
         for (label i = firstPart_[pointi]; i < firstPart_[pointi + 1]; ++i)
         {
-            weights[i] /= sum(pointi);
+            weights[i] /= sum[pointi];
         }
     }
     parts_.assign(parts.begin(), parts.end());
@@ -115,87 +110,123 @@ void Foam::pointValues::makeWeights()
 }
 
 
-void Foam::pointValues::makePointFields
+template<class At>
+void Foam::pointValues::packRow
 (
-    const volVectorField& U,
-    const volVectorField& force
+    const sampledFields& fields,
+    const At& at,
+    scalar* row
 )
 {
-    const fvMesh& mesh = U.mesh();
-    const pointMesh& pMesh = pointMesh::New(mesh);
-    const auto make = [&](const char* name, const dimensionSet& dimensions)
+    for (const sampledFields::field& field : fields.fields)
     {
-        return new pointVectorField
-        (
-            IOobject(name, mesh.time().timeName(), mesh),
-            pMesh,
-            dimensionedVector(dimensions, Zero)
-        );
-    };
-    pointU_.reset(make("grainPointU", U.dimensions()));
-    pointForce_.reset(make("grainPointForce", force.dimensions()));
-}
-
-
-void Foam::pointValues::packPatches
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
-{
-    packed* values = cells_.data() + mesh_.nCells();
-    forAll(U.boundaryField(), patchi)
-    {
-        const fvPatchVectorField& pU = U.boundaryField()[patchi];
-        const fvPatchVectorField& pForce = force.boundaryField()[patchi];
-        const fvPatchScalarField& pVoidFraction = voidFraction.boundaryField()[patchi];
-        if (!pU.coupled())
+        if (field.scalar)
         {
-            const label start =
-                mesh_.boundaryMesh()[patchi].start() - mesh_.nInternalFaces();
-            forAll(pU, i)
+            row[field.lane] = at(*field.scalar);
+        }
+        else
+        {
+            const vector& v = at(*field.vector);
+            for (direction k = 0; k < 3; ++k)
             {
-                values[start + i].set(pU[i], pForce[i], pVoidFraction[i]);
+                row[field.lane + k] = v[k];
             }
         }
     }
 }
 
 
-void Foam::pointValues::constrain()
+void Foam::pointValues::packPatches(const sampledFields& fields)
 {
-    const auto apply = [&](pointVectorField& field, const label first)
+    scalar* rows = cells_.data() + width_*mesh_.nCells();
+    for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        for (const label pointi : boundaryPoints_)
+        const label patchi = patch.index();
+        const bool empty = isA<emptyPolyPatch>(patch);
+        if (!isA<coupledPolyPatch>(patch) && !empty)
         {
-            field[pointi] = points_[pointi].get(first);
+            const label start = patch.start() - mesh_.nInternalFaces();
+            forAll(patch, i)
+            {
+                packRow
+                (
+                    fields,
+                    [&](const auto& field) -> const auto&
+                    {
+                        return field.boundaryField()[patchi][i];
+                    },
+                    rows + width_*(start + i)
+                );
+            }
         }
-        pointConstraints::New(field.mesh()).constrain(field, false);
-        for (const label pointi : boundaryPoints_)
-        {
-            points_[pointi].set(first, field[pointi]);
-        }
-    };
-    apply(*pointU_, packed::U);
-    apply(*pointForce_, packed::force);
+    }
 }
 
 
-void Foam::pointValues::interpolate
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
+void Foam::pointValues::constrain(const sampledFields& fields)
 {
-    const volPointInterpolation& toPoints = volPointInterpolation::New(U.mesh());
-    toPoints.interpolate(U, *pointU_);
-    toPoints.interpolate(force, *pointForce_);
-    const tmp<pointScalarField> tpVoidFraction(toPoints.interpolate(voidFraction));
-    forAll(mesh_.points(), i)
+    for (const sampledFields::field& field : fields.fields)
     {
-        points_[i].set((*pointU_)[i], (*pointForce_)[i], tpVoidFraction()[i]);
+        if (!field.vector)
+        {
+            continue;
+        }
+        if (!pointVector_)
+        {
+            const fvMesh& mesh = field.vector->mesh();
+            pointVector_.reset
+            (
+                new pointVectorField
+                (
+                    IOobject("grainPointVector", mesh.time().timeName(), mesh),
+                    pointMesh::New(mesh),
+                    dimensionedVector(dimless, Zero)
+                )
+            );
+        }
+        pointVectorField& values = *pointVector_;
+        for (const label pointi : boundaryPoints_)
+        {
+            const scalar* row = atPoint(pointi) + field.lane;
+            values[pointi] = vector(row[0], row[1], row[2]);
+        }
+        pointConstraints::New(values.mesh()).constrain(values, false);
+        for (const label pointi : boundaryPoints_)
+        {
+            std::copy_n
+            (
+                values[pointi].cdata(), 3, &points_[width_*pointi + field.lane]
+            );
+        }
+    }
+}
+
+
+void Foam::pointValues::interpolate(const sampledFields& fields)
+{
+    for (const sampledFields::field& field : fields.fields)
+    {
+        const fvMesh& mesh = field.scalar ? field.scalar->mesh() : field.vector->mesh();
+        const volPointInterpolation& toPoints = volPointInterpolation::New(mesh);
+        scalar* row = points_.data() + field.lane;
+        if (field.scalar)
+        {
+            const tmp<pointScalarField> tvalues(toPoints.interpolate(*field.scalar));
+            for (const scalar value : tvalues().primitiveField())
+            {
+                *row = value;
+                row += width_;
+            }
+        }
+        else
+        {
+            const tmp<pointVectorField> tvalues(toPoints.interpolate(*field.vector));
+            for (const vector& value : tvalues().primitiveField())
+            {
+                std::copy_n(value.cdata(), 3, row);
+                row += width_;
+            }
+        }
     }
 }
 
@@ -205,8 +236,8 @@ void Foam::pointValues::interpolate
 Foam::pointValues::pointValues(const polyMesh& mesh)
 :
     mesh_(mesh),
-    cells_(mesh.nCells() + mesh.nBoundaryFaces()),
-    points_(mesh.nPoints()),
+    nLanes_(0),
+    width_(0),
     matching_(true),
     coupled_(mesh),
     constrained_(false)
@@ -236,43 +267,61 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pointValues::update
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
+void Foam::pointValues::update(const sampledFields& fields)
 {
-    if (!pointU_ && (!matching_ || constrained_))
+    if (nLanes_ != fields.nLanes)
     {
-        makePointFields(U, force);
+        nLanes_ = fields.nLanes;
+        width_ = (nLanes_ + blockSize - 1)/blockSize*blockSize;
+        cells_.assign(width_*(mesh_.nCells() + mesh_.nBoundaryFaces()), 0);
+        points_.assign(width_*mesh_.nPoints(), 0);
     }
 
     forAll(mesh_.cells(), i)
     {
-        cells_[i].set(U[i], force[i], voidFraction[i]);
+        packRow
+        (
+            fields,
+            [&](const auto& field) -> const auto&
+            {
+                return field[i];
+            },
+            cells_.data() + width_*i
+        );
     }
     if (!matching_)
     {
-        interpolate(U, force, voidFraction);
+        interpolate(fields);
         return;
     }
 
-    packPatches(U, force, voidFraction);
+    packPatches(fields);
     label part = 0;
+    scalar* row = points_.data();
     forAll(mesh_.points(), i)
     {
-        packed sum{};
-        for (const label end = firstPart_[i + 1]; part < end; ++part)
+        const label first = part;
+        const label end = firstPart_[i + 1];
+        for (label block = 0; block < width_; block += blockSize)
         {
-            sum.add(weights_[part], cells_[parts_[part]]);
+            scalar sum[blockSize] = {};
+            for (part = first; part < end; ++part)
+            {
+                const scalar weight = weights_[part];
+                const scalar* values = cells_.data() + width_*parts_[part] + block;
+                for (label k = 0; k < blockSize; ++k)
+                {
+                    sum[k] += weight*values[k];
+                }
+            }
+            std::copy_n(sum, blockSize, row);
+            row += blockSize;
         }
-        points_[i] = sum;
     }
-    coupled_.sum(points_.data());
+    coupled_.sum(points_.data(), width_);
     if (constrained_)
     {
-        constrain();
+        constrain(fields);
     }
 }
 

@@ -24,34 +24,65 @@ Foam::schemeSampler::schemeSampler(const word& scheme)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::schemeSampler::update
-(
-    const volVectorField& U,
-    const volVectorField& force,
-    const volScalarField& voidFraction
-)
+void Foam::schemeSampler::update(const sampledFields& fields)
 {
-    U_ = interpolation<vector>::New(scheme_, U);
-    force_ = interpolation<vector>::New(scheme_, force);
-    voidFraction_ = interpolation<scalar>::New(scheme_, voidFraction);
+    scalarLane_.clear();
+    vectorLane_.clear();
+    scalars_.clear();
+    vectors_.clear();
+    for (const sampledFields::field& field : fields.fields)
+    {
+        if (field.scalar)
+        {
+            scalarLane_.append(field.lane);
+            scalars_.append(interpolation<scalar>::New(scheme_, *field.scalar));
+        }
+        else
+        {
+            vectorLane_.append(field.lane);
+            vectors_.append(interpolation<vector>::New(scheme_, *field.vector));
+        }
+    }
 }
 
 
-void Foam::schemeSampler::at
-(
-    const UList<guestGrain>& grains,
-    sample* fluid
-) const
+void Foam::schemeSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
 {
-    forAll(grains, i)
+    for (label i = 0; i < grains.n; ++i)
     {
-        const guestGrain& grain = grains[i];
-        fluid[i] = sample
+        const point p
+        (
+            grains.position[0][i], grains.position[1][i], grains.position[2][i]
+        );
+        const label celli = grains.cell[i];
+        forAll(scalars_, f)
         {
-            U_->interpolate(grain.position, grain.cell),
-            force_->interpolate(grain.position, grain.cell),
-            voidFraction_->interpolate(grain.position, grain.cell)
-        };
+            lanes[scalarLane_[f]][i] = scalars_[f].interpolate(p, celli);
+        }
+        forAll(vectors_, f)
+        {
+            const vector v(vectors_[f].interpolate(p, celli));
+            for (direction k = 0; k < 3; ++k)
+            {
+                lanes[vectorLane_[f] + k][i] = v[k];
+            }
+        }
+    }
+
+    // The rest of the batch repeats the last grain
+    for (const labelUList* first : {&scalarLane_, &vectorLane_})
+    {
+        const label width = (first == &scalarLane_ ? 1 : 3);
+        for (const label lane : *first)
+        {
+            for (label k = 0; k < width; ++k)
+            {
+                for (label i = grains.n; i < grainBatch::size; ++i)
+                {
+                    lanes[lane + k][i] = lanes[lane + k][grains.n - 1];
+                }
+            }
+        }
     }
 }
 

@@ -4,20 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-// That a comparison might raise an exception shall not keep the compiler from working on several
-// points at once
-#pragma GCC optimize("no-trapping-math")
-
 #include "tetBatch.H"
-
-#include <cstddef>
-
-// Compile a function once more for AVX2, and take that on processors that have it
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
-    #define WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
-#else
-    #define WIDE_REGISTERS
-#endif
 
 // * * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * //
 
@@ -53,7 +40,7 @@ inline double smaller(const double a, const double b)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-WIDE_REGISTERS void Foam::tetBatch::weigh()
+void Foam::tetBatch::weigh()
 {
     for (int i = 0; i < size; ++i)
     {

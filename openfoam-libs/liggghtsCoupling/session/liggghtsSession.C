@@ -145,6 +145,30 @@ void Foam::liggghtsSession::findFixes()
 }
 
 
+void Foam::liggghtsSession::request()
+{
+    LAMMPS_NS::FluidForceExchange& exchange = fluidForce();
+    if (requested_.nonReacting)
+    {
+        exchange.useNonReacting(&exchange);
+    }
+    if (requested_.torque)
+    {
+        exchange.useTorque(&exchange);
+    }
+    for (const requests::state& state : requested_.states)
+    {
+        stateIndex_.push_back
+        (
+            exchange.addState
+            (
+                &exchange, state.name.c_str(), state.initial.size(), state.initial.data()
+            )
+        );
+    }
+}
+
+
 void Foam::liggghtsSession::setup()
 {
     // What the run command does, but with an end that is never reached, so that output
@@ -220,9 +244,11 @@ Foam::liggghtsSession::~liggghtsSession()
 void Foam::liggghtsSession::start
 (
     const std::string& script,
-    const restartFile& former
+    const restartFile& former,
+    const requests& needed
 )
 {
+    requested_ = needed;
     inFolder here(folder_);
     script_ = script;
     sessionPlace::script = script;
@@ -257,6 +283,7 @@ void Foam::liggghtsSession::start
         cg_.push_back(lmp_->force->cg(type));
     }
 
+    request();
     setup();
 
     insertedOffset_ = lmp_->atom->natoms - insertedByFixes();
@@ -287,7 +314,7 @@ Foam::liggghtsSession::grainArrays Foam::liggghtsSession::grains() const
     const LAMMPS_NS::Atom& atom = *lmp_->atom;
     return
     {
-        atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type,
+        atom.nlocal, atom.x, atom.v, atom.omega, atom.radius, atom.rmass, atom.tag, atom.type,
         cg_.data()
     };
 }
@@ -305,12 +332,20 @@ LAMMPS_NS::FluidForceExchange& Foam::liggghtsSession::fluidForce() const
 
 Foam::liggghtsSession::fluidArrays Foam::liggghtsSession::fluidForces() const
 {
-    const LAMMPS_NS::FluidForceExchange& door = fluidForce();
-    return
+    LAMMPS_NS::FluidForceExchange& exchange = fluidForce();
+    fluidArrays arrays
     {
-        door.fluidVelocity, door.explicitForce, door.impulse,
-        door.startPosition, door.host, door.dragCoefficient
+        exchange.fluidVelocity, exchange.explicitForce, exchange.impulse,
+        exchange.startPosition, exchange.owner, exchange.dragCoefficient,
+        exchange.nonReactingCoefficient, exchange.nonReactingForce,
+        exchange.nonReactingImpulse, exchange.fluidSpin, exchange.spinCoefficient,
+        exchange.explicitTorque, {}
     };
+    for (const int index : stateIndex_)
+    {
+        arrays.states.push_back(exchange.state(&exchange, index));
+    }
+    return arrays;
 }
 
 

@@ -143,19 +143,19 @@ Foam::dividedVoidFraction::points()
 bool Foam::dividedVoidFraction::shareOverFace
 (
     const label number,
-    const guestGrain& guest,
+    const grainData& grain,
     grainShares& shares
 ) const
 {
-    const float outermost = outerShell*guest.radius;
+    const float outermost = outerShell*grain.radius;
     const label nLanes = cellLocator::nLanes;
 
-    const cellLocator::faceBlock& here = *locator_.block(guest.cell);
+    const cellLocator::faceBlock& here = *locator_.block(grain.cell);
     if (here.nFaces > nLanes)
     {
         return false;
     }
-    const vector fromCentre(locator_.fromCentre(guest.position, here));
+    const vector fromCentre(locator_.fromCentre(grain.position, here));
     const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
 
     const unsigned reached = inside.atMost(outermost);
@@ -173,7 +173,7 @@ bool Foam::dividedVoidFraction::shareOverFace
 
     // The sphere must not reach the other faces of the cell behind either
     const cellLocator::faceBlock& there =
-        behind >= 0 ? *locator_.block(behind) : locator_.foreignBlock(behind);
+        behind >= 0 ? *locator_.block(behind) : locator_.remoteBlock(behind);
     if (there.nFaces > nLanes)
     {
         return false;
@@ -182,34 +182,34 @@ bool Foam::dividedVoidFraction::shareOverFace
     (
         there.distance
         (
-            there.relative(locator_.fromCentre(guest.position, there))
+            there.relative(locator_.fromCentre(grain.position, there))
         )
     );
     unsigned shared = 0;
     for (label i = 0; i < nLanes; ++i)
     {
-        shared |= unsigned(there.behind[i] == guest.cell) << i;
+        shared |= unsigned(there.behind[i] == grain.cell) << i;
     }
     if (!isSingle(shared) || (beyond.atMost(outermost) & ~shared))
     {
         return false;
     }
 
-    const label n = reach(here.normal(near), guest.radius).nBeyond
+    const label n = reach(here.normal(near), grain.radius).nBeyond
     (
         distance,
-        onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + guest.radius)
+        onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + grain.radius)
     );
     if (n > 0)
     {
-        shares.add(number, guest.cell, scalar(nParts - n)/nParts);
+        shares.add(number, grain.cell, scalar(nParts - n)/nParts);
         if (behind >= 0)
         {
             shares.add(number, behind, scalar(n)/nParts);
         }
         else
         {
-            shares.addForeign(number, locator_.foreign(behind), scalar(n)/nParts);
+            shares.addRemote(number, locator_.remote(behind), scalar(n)/nParts);
         }
     }
     return n >= 0;
@@ -219,7 +219,7 @@ bool Foam::dividedVoidFraction::shareOverFace
 void Foam::dividedVoidFraction::sharePoints
 (
     const label number,
-    const guestGrain& guest,
+    const grainData& grain,
     grainShares& shares
 ) const
 {
@@ -230,21 +230,21 @@ void Foam::dividedVoidFraction::sharePoints
     std::fill(room, room + nParts, VGREAT);
     std::fill(behind, behind + nParts, -1);
 
-    const cellLocator::faceBlock* faces = locator_.block(guest.cell);
-    const vector fromCentre(locator_.fromCentre(guest.position, *faces));
+    const cellLocator::faceBlock* faces = locator_.block(grain.cell);
+    const vector fromCentre(locator_.fromCentre(grain.position, *faces));
     const scalar uncertain =
-        2*onPlane*(cmptSum(cmptMag(fromCentre)) + guest.radius);
+        2*onPlane*(cmptSum(cmptMag(fromCentre)) + grain.radius);
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
         (
             faces->distance(faces->relative(fromCentre))
         );
-        unsigned reached = distance.atMost(outerShell*guest.radius);
+        unsigned reached = distance.atMost(outerShell*grain.radius);
         for (; reached; reached &= reached - 1)
         {
             const label lane = __builtin_ctz(reached);
-            const reach outward(faces->normal(lane), guest.radius);
+            const reach outward(faces->normal(lane), grain.radius);
             label i = 1;
             for (const scalar shell : {innerShell, outerShell})
             {
@@ -287,12 +287,12 @@ void Foam::dividedVoidFraction::sharePoints
     {
         if (room[i] > uncertain)
         {
-            count(guest.cell);
+            count(grain.cell);
             continue;
         }
 
-        const point p = guest.position + guest.radius*points()[i];
-        const label start = (behind[i] >= 0 ? behind[i] : guest.cell);
+        const point p = grain.position + grain.radius*points()[i];
+        const label start = (behind[i] >= 0 ? behind[i] : grain.cell);
         label end;
         const label celli = locator_.walk(p, start, end).cell;
         if (celli >= 0)
@@ -301,7 +301,7 @@ void Foam::dividedVoidFraction::sharePoints
         }
         else
         {
-            shares.addSatellite(number, locator_.wrap(p), 1.0/nParts, end);
+            shares.addRemotePart(number, locator_.wrap(p), 1.0/nParts, end);
         }
     }
 
@@ -317,20 +317,20 @@ void Foam::dividedVoidFraction::sharePoints
 void Foam::dividedVoidFraction::share
 (
     const label first,
-    const UList<guestGrain>& guests,
+    const UList<grainData>& grains,
     grainShares& shares
 ) const
 {
-    forAll(guests, i)
+    forAll(grains, i)
     {
-        const guestGrain& guest = guests[i];
+        const grainData& grain = grains[i];
         if
         (
-            guest.clearance < outerShell*guest.radius
-         && !shareOverFace(first + i, guest, shares)
+            grain.clearance < outerShell*grain.radius
+         && !shareOverFace(first + i, grain, shares)
         )
         {
-            sharePoints(first + i, guest, shares);
+            sharePoints(first + i, grain, shares);
         }
     }
 }

@@ -8,14 +8,10 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::grainShares::grainShares
-(
-    const cellLocator& locator,
-    const List<boundBox>& boxes
-)
+Foam::grainShares::grainShares(const cellLocator& locator)
 :
     locator_(locator),
-    route_(boxes)
+    route_(locator.mesh())
 {}
 
 
@@ -25,9 +21,9 @@ void Foam::grainShares::clear()
 {
     shares_.clear();
     late_.clear();
-    satellites_.clear();
+    remoteParts_.clear();
     firstRank_.clear();
-    foreign_.clear();
+    remote_.clear();
 }
 
 

@@ -9,45 +9,45 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class CellOf>
-void Foam::grainShares::settle(const CellOf& cellOf)
+void Foam::grainShares::findRemoteParts(const CellOf& cellOf)
 {
     // What no walk leads to is searched here first. Parts of a grain follow each other: what holds
     // one probably holds the next
     label nAway = 0;
     label hint = -1;
-    forAll(satellites_, i)
+    forAll(remoteParts_, i)
     {
-        satellite item = satellites_[i];
+        remotePart item = remoteParts_[i];
         label rank = firstRank_[i];
         if (rank < 0)
         {
             label end;
-            const label start = (hint < 0 ? cellOf(item.guest) : hint);
+            const label start = (hint < 0 ? cellOf(item.grain) : hint);
             const label celli = locator_.find(item.position, start, end).cell;
             if (celli >= 0)
             {
                 hint = celli;
-                late_.append(share{item.guest, celli, item.fraction});
+                late_.append(share{item.grain, celli, item.fraction});
                 continue;
             }
-            if (cellLocator::leadsAway(end))
+            if (cellLocator::isRemote(end))
             {
-                rank = locator_.foreign(end).rank;
-                item.cell = locator_.foreign(end).cell;
+                rank = locator_.remote(end).rank;
+                item.cell = locator_.remote(end).cell;
             }
         }
-        satellites_[nAway] = item;
+        remoteParts_[nAway] = item;
         firstRank_[nAway++] = rank;
     }
-    satellites_.setSize(nAway);
+    remoteParts_.setSize(nAway);
     firstRank_.setSize(nAway);
 
     label near = -1;
-    const labelList owner = route_.establish<satellite>
+    const labelList owner = route_.establish<remotePart>
     (
-        satellites_,
+        remoteParts_,
         firstRank_,
-        [&](const satellite& item) -> ownerRoute::reply
+        [&](const remotePart& item) -> ownerRoute::reply
         {
             label end = -1;
             const cellLocator::place place =
@@ -59,20 +59,20 @@ void Foam::grainShares::settle(const CellOf& cellOf)
             if (place.cell >= 0)
             {
                 near = place.cell;
-                foreign_.append(share{-1, place.cell, item.fraction});
-                return ownerRoute::reply{foreign_.size() - 1, -1, -1};
+                remote_.append(share{-1, place.cell, item.fraction});
+                return ownerRoute::reply{remote_.size() - 1, -1, -1};
             }
             return ownerRoute::reply::refusal(locator_, end);
         },
-        [&](const label i) -> ownerRoute::reply
+        [&](const label i, const label near) -> ownerRoute::reply
         {
-            const satellite& item = satellites_[i];
+            const remotePart& item = remoteParts_[i];
             label end;
             const label celli =
-                locator_.findOrFollow(item.position, item.cell, end).cell;
+                locator_.findOrFollow(item.position, near, end).cell;
             if (celli >= 0)
             {
-                late_.append(share{item.guest, celli, item.fraction});
+                late_.append(share{item.grain, celli, item.fraction});
                 return ownerRoute::reply{late_.size() - 1, -1, -1};
             }
             return ownerRoute::reply::refusal(locator_, end);
@@ -83,8 +83,8 @@ void Foam::grainShares::settle(const CellOf& cellOf)
     {
         if (owner[i] < 0)
         {
-            const satellite& item = satellites_[i];
-            late_.append(share{item.guest, cellOf(item.guest), item.fraction});
+            const remotePart& item = remoteParts_[i];
+            late_.append(share{item.grain, cellOf(item.grain), item.fraction});
         }
     }
 }
@@ -94,14 +94,14 @@ template<class Type, class Add>
 Foam::label Foam::grainShares::depositOne
 (
     const label first,
-    const label guest,
+    const label grain,
     const label cell,
     const Type& whole,
     const Add& add
 ) const
 {
     label i = first;
-    for (; i < shares_.size() && shares_[i].guest == guest; ++i)
+    for (; i < shares_.size() && shares_[i].grain == grain; ++i)
     {
         add(shares_[i].cell, shares_[i].fraction, whole);
     }
@@ -118,18 +118,18 @@ void Foam::grainShares::depositRest(const Value& value, const Add& add)
 {
     for (const share& s : late_)
     {
-        add(s.cell, s.fraction, value(s.guest));
+        add(s.cell, s.fraction, value(s.grain));
     }
 
     route_.forward<Type>
     (
         [&](const label item) -> Type
         {
-            return value(satellites_[item].guest);
+            return value(remoteParts_[item].grain);
         },
         [&](const label stored, const Type& whole)
         {
-            const share& s = foreign_[stored];
+            const share& s = remote_[stored];
             add(s.cell, s.fraction, whole);
         }
     );
@@ -139,14 +139,14 @@ void Foam::grainShares::depositRest(const Value& value, const Add& add)
 template<class Type, class CellOf, class Value, class Add>
 void Foam::grainShares::deposit
 (
-    const label nGuests,
+    const label nGrains,
     const CellOf& cellOf,
     const Value& value,
     const Add& add
 )
 {
     label i = 0;
-    for (label g = 0; g < nGuests; ++g)
+    for (label g = 0; g < nGrains; ++g)
     {
         const Type whole = value(g);
         i = depositOne(i, g, cellOf(g), whole, add);

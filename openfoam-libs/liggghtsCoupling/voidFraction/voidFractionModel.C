@@ -20,19 +20,18 @@ namespace Foam
 Foam::voidFractionModel::voidFractionModel
 (
     const dictionary& dict,
-    const cellLocator& locator
+    const cellLocator& locator,
+    const knownEntries::table& entries
 )
 :
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
     locator_(locator)
 {
-    if (minimum_ <= 0 || minimum_ >= 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "minimum " << minimum_ << " is not between 0 and 1: it is the"
-            << " lowest void fraction a cell may have, for instance 0.3"
-            << exit(FatalIOError);
-    }
+    typedef knownEntries::valueType valueType;
+    knownEntries::table known(entries);
+    known.insert("model", valueType::WORD);
+    known.insert("minimum", valueType::FRACTION);
+    knownEntries::checkOnMaster(dict, known);
 }
 
 

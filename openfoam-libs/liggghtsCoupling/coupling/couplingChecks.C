@@ -1,0 +1,149 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingChecks.H"
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingChecks::couplingChecks
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const liggghtsSession& session
+)
+:
+    dict_(dict),
+    mesh_(mesh),
+    session_(session),
+    script_(dict.get<fileName>("script"))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingChecks::timeStep() const
+{
+    const label interval = dict_.get<label>("couplingInterval");
+    const scalar fluid = mesh_.time().deltaTValue();
+    const scalar dem = session_.timeStep();
+
+    // Both are typed decimal numbers: equal up to their representation
+    if (mag(fluid - interval*dem) > 1e-9*fluid)
+    {
+        // As the user typed them, whatever the case's writePrecision
+        std::ostringstream message;
+        message
+            << std::setprecision(10)
+            << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
+            << " s (system/controlDict), couplingInterval " << interval
+            << ", timestep " << dem << " s (" << script_ << "), product "
+            << interval*dem << " s.\n    Set deltaT to " << interval*dem;
+        if (std::round(fluid/dem) >= 1 && fluid/dem < labelMax)
+        {
+            message << " or couplingInterval to " << fluid/dem;
+        }
+
+        FatalIOErrorInFunction(dict_)
+            << message.str().c_str() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::couplingChecks::overlap() const
+{
+    const liggghtsSession::simulationBox box = session_.box();
+    const boundBox dem
+    (
+        point(box.low[0], box.low[1], box.low[2]),
+        point(box.high[0], box.high[1], box.high[2])
+    );
+
+    if (!dem.overlaps(mesh_.bounds()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "No grain can ever meet the fluid: the box of " << script_ << ' '
+            << dem << " and the mesh " << mesh_.bounds()
+            << " have no part in common. Both are in metres"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::couplingChecks::grains() const
+{
+    // Far beyond any grain, and far from where products of such numbers overflow
+    const scalar smallRadius = 1e-12, largeRadius = 1e6;
+    const scalar smallMass = 1e-30, largeMass = 1e30;
+    const scalar largeSpeed = 1e9;
+
+    const liggghtsSession::grainArrays grains = session_.grains();
+    label odd = labelMax;
+    for (label i = 0; i < grains.n; ++i)
+    {
+        const scalar r = grains.radius[i];
+        const scalar m = grains.mass[i];
+        const double* v = grains.velocity[i];
+        const scalar speed = mag(v[0]) + mag(v[1]) + mag(v[2]);
+        if
+        (
+            !(r > smallRadius && r < largeRadius && m > smallMass && m < largeMass)
+         || !(speed < largeSpeed)
+        )
+        {
+            odd = min(odd, label(grains.id[i]));
+        }
+    }
+    reduce(odd, minOp<label>());
+
+    if (odd != labelMax)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "script " << script_ << ": grain " << odd << " has a radius outside of "
+            << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
+            << " to " << largeMass << " kg, or a speed above " << largeSpeed
+            << " m/s. See its diameter, density and velocity" << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::couplingChecks::gravity(vector& g) const
+{
+    double values[3];
+    if (!session_.gravity(values))
+    {
+        return false;
+    }
+    g = vector(values[0], values[1], values[2]);
+
+    const scalar large = 1e9;
+    if (!(mag(g.x()) + mag(g.y()) + mag(g.z()) < large))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "script " << script_ << ": fix gravity of " << g
+            << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+    }
+    return true;
+}
+
+
+void Foam::couplingChecks::anyInside(const label outside) const
+{
+    const scalar present = session_.counts().present;
+    if (present > 0 && outside == present)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "None of the " << present << " grains of " << script_
+            << " lies in a cell of the mesh, whose bounds are " << mesh_.bounds()
+            << ". Check units (metres) and origin of script and mesh"
+            << exit(FatalIOError);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,271 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingLog.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// -1 is what no style of the script provides
+void printProvided(const Foam::scalar value)
+{
+    if (value >= 0)
+    {
+        Foam::Info<< value;
+    }
+    else
+    {
+        Foam::Info<< "unknown";
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::couplingLog::warn(const scalar maxSolidFraction)
+{
+    // The neglected inertia and displacement are of the order of the solid fraction
+    const scalar noticeable = 0.05;
+
+    if (!warned_ && maxSolidFraction > noticeable)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "Grains fill " << 100*maxSolidFraction << " % of a cell. The"
+            << " solver's equations hold no void fraction: there they are wrong by one"
+            << " to two times as much. This is said once" << endl;
+    }
+}
+
+
+void Foam::couplingLog::miss(const scalar unaccounted)
+{
+    if (!missed_ && mag(unaccounted) > 0.5)
+    {
+        missed_ = true;
+        WarningInFunction
+            << label(mag(unaccounted) + 0.5) << " grains "
+            << (unaccounted > 0 ? "are gone" : "are too many")
+            << ": inserted less removed less present is not zero. LIGGGHTS deletes grains"
+            << " without a trace where they are lost between ranks"
+            << " (thermo_modify lost ignore), or by commands of the script other than"
+            << " fix massflow/mesh. Column unaccounted of the table has the number."
+            << " This is said once" << endl;
+    }
+}
+
+
+void Foam::couplingLog::writeTableHeader()
+{
+    OFstream& os = file();
+    writeHeader(os, "Balance of the coupling, one row per fluid step");
+    writeHeader
+    (
+        os,
+        "unaccounted = inserted - leftBox - deleted - present; -1: not provided by the script"
+    );
+    writeHeader
+    (
+        os,
+        "momentum [N s] in this step to the grains, with (toGrains) and without (nonReacting) reaction"
+        " on the fluid; to the fluid and still owed to it: step before"
+    );
+    writeHeader
+    (
+        os,
+        "bytes sent and searches through the mesh: since the start"
+    );
+    writeCommented(os, "Time");
+    for
+    (
+        const char* column :
+        {
+            "inserted", "present", "leftBox", "deleted", "unaccounted", "outsideMesh",
+            "contacts", "maxSolidFraction", "volumeCut", "meanSlip",
+            "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
+            "nonReacting_x", "nonReacting_y", "nonReacting_z", "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
+            "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling",
+            "remote", "bytes", "searches"
+        }
+    )
+    {
+        writeTabbed(os, column);
+    }
+    os << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
+:
+    functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
+    mesh_(mesh),
+    twoWay_(twoWay),
+    warned_(false),
+    missed_(false),
+    leftBox_(0),
+    deleted_(0),
+    clock_(),
+    startSeconds_(-1),
+    startTime_(0),
+    previousSeconds_(0),
+    ownSeconds_(0),
+    sumToGrains_(Zero),
+    sumToFluid_(Zero),
+    owedBefore_(Zero),
+    sumExchanged_(0),
+    latestToGrains_(Zero),
+    toFluid_(Zero),
+    owed_(Zero)
+{
+    if (Pstream::master())
+    {
+        writeTableHeader();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingLog::closeFluidStep(grainMomentum& momentum)
+{
+    if (twoWay_)
+    {
+        toFluid_ = momentum.close();
+        owed_ = momentum.owed();
+    }
+}
+
+
+void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
+{
+    const Time& time = mesh_.time();
+    const scalar now = clock_.elapsedTime();
+
+    const bool first = (startSeconds_ < 0);
+    if (first)
+    {
+        startSeconds_ = now - values.demSeconds - values.couplingSeconds;
+        startTime_ = time.value() - time.deltaTValue();
+        previousSeconds_ = startSeconds_;
+    }
+
+    // Shares of the wall clock since the previous line
+    const scalar all = max(now - previousSeconds_, VSMALL);
+    const scalar couplingSeconds = values.couplingSeconds + ownSeconds_;
+    const scalar fluidSeconds = all - values.demSeconds - couplingSeconds;
+    previousSeconds_ = now;
+
+    // For the eye, whatever precision the case writes its fields with
+    const int precision = Info().precision(4);
+
+    const scalar maxSolidFraction =
+        returnReduce(values.cells.maxSolidFraction, maxOp<scalar>());
+    const scalar volumeCut = returnReduce(values.cells.volumeCut, sumOp<scalar>());
+    warn(maxSolidFraction);
+
+    // As scalars, which count whole numbers up to 9e15
+    const vector removed = returnReduce
+    (
+        vector(grains.leftBox(), grains.deleted(), values.searches),
+        sumOp<vector>()
+    );
+    leftBox_ += removed[0];
+    deleted_ += removed[1];
+    const std::int64_t searches = removed[2];
+    const scalar unaccounted =
+        values.counts.inserted - leftBox_ - deleted_ - values.counts.present;
+    miss(unaccounted);
+
+    const vector sums = returnReduce
+    (
+        vector(grains.size(), grains.remote(), values.bytes),
+        sumOp<vector>()
+    );
+    const label remote = sums[1];
+    const scalar slipSum = returnReduce(values.slipSum, sumOp<scalar>());
+    const scalar slip = sums[0] > 0 ? slipSum/sums[0] : 0;
+
+    const vector toGrains = returnReduce(values.received.reacting, sumOp<vector>());
+    const vector nonReacting =
+        returnReduce(values.received.nonReacting, sumOp<vector>());
+    const vector toFluid = returnReduce(toFluid_, sumOp<vector>());
+    const vector owed = returnReduce(owed_, sumOp<vector>());
+    if (first)
+    {
+        owedBefore_ = owed;
+    }
+
+    // The fluid's part of a step is known once the step is over
+    sumToGrains_ += latestToGrains_;
+    sumExchanged_ += mag(latestToGrains_);
+    sumToFluid_ += toFluid;
+    latestToGrains_ = toGrains;
+
+    const scalar imbalance =
+        twoWay_ && sumExchanged_ > 0
+      ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
+      : 0;
+
+    const scalar done = time.value() - startTime_;
+    const scalar secondsLeft =
+        (now - startSeconds_)
+       *max(time.endTime().value() - time.value(), scalar(0))/max(done, VSMALL);
+
+    Info<< "liggghtsCoupling: grains " << label(values.counts.present)
+        << " (inserted " << label(values.counts.inserted)
+        << ", left the box " << label(leftBox_)
+        << ", deleted " << label(deleted_)
+        << ", outside the mesh " << grains.outsideMesh()
+        << ", remote " << remote << "), contacts ";
+    printProvided(values.counts.contacts);
+    Info<< ", max solid fraction " << maxSolidFraction
+        << ", slip " << slip
+        << " m/s, Rayleigh ";
+    printProvided(values.counts.rayleigh);
+    Info<< " %, momentum to grains " << toGrains
+        << " N s, imbalance " << imbalance
+        << ", time fluid " << label(100*fluidSeconds/all + 0.5)
+        << " % DEM " << label(100*values.demSeconds/all + 0.5)
+        << " % coupling " << label(100*couplingSeconds/all + 0.5)
+        << " %, still " << label(secondsLeft + 0.5) << " s" << nl;
+
+    if (volumeCut > 0)
+    {
+        Info<< "liggghtsCoupling: void fraction at its minimum; solid volume cut "
+            << volumeCut << " m3" << nl;
+    }
+    Info().precision(precision);
+
+    if (Pstream::master())
+    {
+        OFstream& os = file();
+        os  << time.value() << tab << values.counts.inserted
+            << tab << values.counts.present << tab << leftBox_ << tab << deleted_
+            << tab << unaccounted << tab << grains.outsideMesh() << tab << values.counts.contacts
+            << tab << maxSolidFraction << tab << volumeCut
+            << tab << slip << tab << values.counts.rayleigh;
+        for (const vector& v : {toGrains, nonReacting, toFluid, owed})
+        {
+            os  << tab << v.x() << tab << v.y() << tab << v.z();
+        }
+        os  << tab << imbalance << tab << fluidSeconds
+            << tab << values.demSeconds << tab << couplingSeconds
+            << tab << remote << tab << std::int64_t(sums[2])
+            << tab << searches
+            << endl;
+    }
+    ownSeconds_ = clock_.elapsedTime() - now;
+}
+
+
+// ************************************************************************* //

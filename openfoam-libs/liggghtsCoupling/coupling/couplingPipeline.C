@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingPipeline.H"
+#include "couplingCase.H"
+#include "couplingChecks.H"
+#include "noFloatTraps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// The case is checked before anything is made of it
+const Foam::dictionary& checkedCase
+(
+    const Foam::dictionary& dict,
+    const Foam::carrierFluid& fluid
+)
+{
+    fluid.check();
+    Foam::couplingCase(dict, fluid.mesh()).check();
+
+    // LIGGGHTS needs MPI also where the solver runs without
+    Foam::UPstream::initNull();
+    return dict;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::couplingPipeline::start()
+{
+    {
+        // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
+        const noFloatTraps quiet;
+        session_.start
+        (
+            dict_.get<fileName>("script"), former_.grains(), forces_.requests()
+        );
+    }
+    const couplingChecks checks(dict_, fluid_.mesh(), session_);
+    checks.timeStep();
+    checks.overlap();
+    checks.grains();
+
+    const liggghtsSession::simulationBox box = session_.box();
+    vector period(Zero);
+    point low;
+    for (direction k = 0; k < 3; ++k)
+    {
+        low[k] = box.low[k];
+        if (box.periodic[k])
+        {
+            period[k] = box.high[k] - box.low[k];
+        }
+    }
+    locator_.setPeriod(low, period);
+
+    grains_.reset(new ownedGrains(session_, locator_));
+    if (former_.continues())
+    {
+        grains_->restoreOwners();
+    }
+    else
+    {
+        grains_->clearOwners();
+        grains_->locate([](const label, const UList<grainData>&){});
+        checks.anyInside(grains_->outsideMesh());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingPipeline::couplingPipeline
+(
+    const dictionary& dict,
+    carrierFluid& fluid,
+    liggghtsCloud& cloud
+)
+:
+    dict_(checkedCase(dict, fluid)),
+    fluid_(fluid),
+    interval_(dict.get<label>("couplingInterval")),
+    locator_(fluid.mesh()),
+    forces_(dict, fluid, locator_),
+    former_(fluid.mesh()),
+    averages_(dict, locator_),
+    momentum_(dict, fluid),
+    session_
+    (
+        fluid.mesh().time().globalPath(),
+        dict.lookupOrDefault<fileName>("log", "log.liggghts")
+    ),
+    log_(fluid.mesh(), dict.lookupOrDefault<word>("coupling", "twoWay") == "twoWay")
+{
+    start();
+
+    vector g;
+    if (couplingChecks(dict, fluid.mesh(), session_).gravity(g))
+    {
+        fluid.setGravity(g);
+    }
+    restart_.reset
+    (
+        new couplingRestart(fluid.mesh(), session_, momentum_.momentum(), log_, former_)
+    );
+    cloud.show(session_);
+
+    Info<< "liggghtsCoupling: " << dict.get<fileName>("script") << ", "
+        << session_.counts().present
+        << (former_.continues() ? " continued" : " new") << " grains, "
+        << interval_ << " DEM steps of " << session_.timeStep()
+        << " s per fluid step" << nl;
+    forces_.report(Info);
+    Info<< endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingPipeline::advance()
+{
+    const clockTime clock;
+    couplingLog::step step;
+
+    couplingChecks(dict_, fluid_.mesh(), session_).timeStep();
+    log_.closeFluidStep(momentum_.momentum());
+
+    step.cells = averages_.update(*grains_);
+    step.slipSum = forces_.act(*grains_, records_);
+
+    const scalar before = clock.elapsedTime();
+    {
+        const noFloatTraps asInTheStockProgram;
+        session_.advance(interval_);
+    }
+    // What the other ranks wait for the slowest is time of DEM, not of the coupling
+    returnReduce(label(0), maxOp<label>());
+    step.demSeconds = clock.elapsedTime() - before;
+
+    step.received = momentum_.receive(*grains_, forces_, records_, averages_);
+
+    step.counts = session_.counts();
+    step.searches = locator_.searches();
+    step.bytes = grains_->bytes() + averages_.shares().bytes();
+    step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
+    log_.write(step, *grains_);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,171 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingRestart.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(couplingRestart, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::word Foam::couplingRestart::digits(const scalar number)
+{
+    return std::to_string(std::llround(number));
+}
+
+
+Foam::wordList Foam::couplingRestart::optionalFiles() const
+{
+    wordList names;
+    const objectRegistry& fields = mesh_.thisDb();
+    forAllConstIters(fields, iter)
+    {
+        const regIOobject& object = *iter();
+        const word& name = object.name();
+        const bool former =
+            name.endsWith("_0") || name.startsWith("ddt0(");
+
+        if
+        (
+            object.writeOpt() == IOobject::AUTO_WRITE
+         && (former || object.readOpt() == IOobject::READ_IF_PRESENT)
+         && object.instance() != mesh_.time().constant()
+         && object.local().empty()
+        )
+        {
+            names.append(name);
+        }
+    }
+    names.append(momentum_.files());
+    Foam::sort(names);
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingRestart::couplingRestart
+(
+    const fvMesh& mesh,
+    liggghtsSession& session,
+    const grainMomentum& momentum,
+    couplingLog& log,
+    const formerRun& former
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "couplingRestart",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    session_(session),
+    momentum_(momentum),
+    log_(log)
+{
+    if (former.continues())
+    {
+        session_.setInserted(former.inserted());
+        log_.setRemoved(former.leftBox(), former.deleted());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::couplingRestart::writeObject
+(
+    IOstream::streamFormat,
+    IOstream::versionNumber,
+    IOstream::compressionType,
+    const bool
+) const
+{
+    const Time& time = mesh_.time();
+
+    const auto uniform = [&time](const word& name)
+    {
+        return IOobject
+        (
+            name,
+            time.timeName(),
+            "uniform",
+            time,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+    };
+
+    // The grains get their name when all that belongs to them is there
+    fileName path
+    (
+        fileHandler().objectPath(uniform(formerRun::grainsName), word::null)
+    );
+    Pstream::scatter(path);
+    const fileName partial(path + ".partial");
+    if (Pstream::master())
+    {
+        Foam::mkDir(path.path());
+    }
+    const auto grains = session_.writeRestart(time.relativePath(partial));
+
+    momentum_.write();
+
+    // Numbers of any size are written with all their digits, as words
+    IOdictionary counters(uniform(formerRun::propertiesName));
+    counters.add("inserted", digits(session_.counts().inserted));
+    counters.add("leftBox", digits(log_.leftBox()));
+    counters.add("deleted", digits(log_.deleted()));
+    counters.add("demStep", digits(grains.step));
+    counters.add("grains", digits(grains.grains));
+    counters.add("stamp", digits(grains.stamp));
+    scalar bytes = 0;
+    if (Pstream::master())
+    {
+        bytes = Foam::fileSize(partial);
+    }
+    Pstream::scatter(bytes);
+    counters.add("bytes", digits(bytes));
+    counters.add("sha1", formerRun::digest(partial));
+    counters.add("time", word(time.timeName(), false));
+    counters.add("files", optionalFiles());
+    counters.regIOobject::writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+
+    const bool renamed = !Pstream::master() || Foam::mv(partial, path);
+    if (!returnReduce(renamed, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Cannot write " << path << exit(FatalError);
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

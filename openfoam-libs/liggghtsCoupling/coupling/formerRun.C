@@ -1,0 +1,388 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "formerRun.H"
+#include "IFstream.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "SHA1.H"
+#include "Time.H"
+#include "volFields.H"
+
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::word Foam::formerRun::grainsName("liggghts.restart");
+const Foam::word Foam::formerRun::propertiesName("liggghtsCouplingProperties");
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::formerRun::header(const word& name, const fileName& local) const
+{
+    const Time& time = mesh_.time();
+    const objectRegistry& db =
+        local.empty()
+      ? static_cast<const objectRegistry&>(mesh_)
+      : static_cast<const objectRegistry&>(time);
+
+    return IOobject
+    (
+        name,
+        startName_,
+        local,
+        db,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+Foam::fileName Foam::formerRun::found(const word& timeName) const
+{
+    // The first rank looks for it alone: file handlers may search on all ranks together, but
+    // only if these ask for the same paths. Like them it prefers processors<N>[_0-...]
+    const Time& time = mesh_.time();
+    const fileName local(timeName/"uniform"/grainsName);
+    fileName file;
+
+    if (Pstream::master())
+    {
+        DynamicList<fileName> places;
+        if (time.processorCase())
+        {
+            const word all("processors" + std::to_string(Pstream::nProcs()));
+            for
+            (
+                const fileName& folder
+              : Foam::readDir(time.globalPath(), fileName::DIRECTORY)
+            )
+            {
+                if (folder == all || folder.startsWith(all + "_0-"))
+                {
+                    places.append(time.globalPath()/folder/local);
+                }
+            }
+        }
+        places.append(time.path()/local);
+
+        for (const fileName& place : places)
+        {
+            if (file.empty() && Foam::isFile(place, false))
+            {
+                file = place;
+            }
+        }
+    }
+    Pstream::scatter(file);
+    return file;
+}
+
+
+Foam::string Foam::formerRun::digest(const fileName& file)
+{
+    string result;
+    if (Pstream::master())
+    {
+        SHA1 sum;
+        std::ifstream is(file, std::ios::binary);
+        std::vector<char> buffer(1 << 20);
+        while (is)
+        {
+            is.read(buffer.data(), buffer.size());
+            sum.append(buffer.data(), is.gcount());
+        }
+        result = sum.str();
+    }
+    Pstream::scatter(result);
+    return result;
+}
+
+
+bool Foam::formerRun::anywhere(const word& name, const fileName& local) const
+{
+    const IOobject io(header(name, local));
+    return returnReduce
+    (
+        !fileHandler().filePath(false, io, word::null, false).empty(),
+        orOp<bool>()
+    );
+}
+
+
+Foam::wordList Foam::formerRun::traces() const
+{
+    wordList names;
+
+    if (!found(startName_).empty())
+    {
+        names.append("uniform/" + grainsName);
+    }
+    if (anywhere(propertiesName, "uniform"))
+    {
+        names.append("uniform/" + propertiesName);
+    }
+    for
+    (
+        const word& field
+      : {
+            "voidFraction", "particleVelocity", "dragCoefficient",
+            "particleMomentumSource", "particleMomentumOwed"
+        }
+    )
+    {
+        if (anywhere(field, fileName()))
+        {
+            names.append(field);
+        }
+    }
+    return names;
+}
+
+
+bool Foam::formerRun::earlierTimes() const
+{
+    bool any = false;
+    for (const instant& i : mesh_.time().times())
+    {
+        // Later ones may be of a former try that began here
+        const bool earlier =
+            i.value() < startTime_ - 0.5*mesh_.time().deltaTValue();
+        any = (earlier && !found(i.name()).empty()) || any;
+    }
+    return any;
+}
+
+
+Foam::fileName Foam::formerRun::table() const
+{
+    const Time& time = mesh_.time();
+    const scalar start = startTime_;
+    fileName reached;
+
+    if (Pstream::master())
+    {
+        const fileName folder
+        (
+            time.globalPath()/"postProcessing"/"liggghtsCoupling"
+        );
+        for (const fileName& begin : Foam::readDir(folder, fileName::DIRECTORY))
+        {
+            scalar from = 0;
+            if (!readScalar(begin, from) || from > start - 0.5*time.deltaTValue())
+            {
+                continue;
+            }
+
+            // Printed with six digits
+            const fileName file(folder/begin/"balance.dat");
+            IFstream is(file);
+            string line;
+            while (is.good() && reached.empty())
+            {
+                is.getLine(line);
+                std::istringstream words(line);
+                scalar t = 0;
+                if (words >> t && t >= start - 1e-6*mag(start))
+                {
+                    reached = file;
+                }
+            }
+        }
+    }
+    Pstream::scatter(reached);
+    return reached;
+}
+
+
+void Foam::formerRun::incomplete
+(
+    const std::string& what,
+    const wordList& traces
+) const
+{
+    const Time& time = mesh_.time();
+
+    // Every rank may be the first to print, with the names of the first one
+    fileName folder(time.relativePath(time.timePath()));
+    Pstream::scatter(folder);
+
+    FatalErrorInFunction
+        << what.c_str() << ".\n"
+        << "    Time " << startName_ << " was written by a coupled run, which was"
+        << " probably killed while writing, or the file was not copied with the others."
+        << " Remove the folder " << folder
+        << " or set startTime in system/controlDict to a complete time.\n"
+        << "    To begin with new grains in this flow, remove what belongs to the former"
+        << " ones: ";
+    if (traces.empty())
+    {
+        FatalError << "the files " << grainsName << " of earlier times";
+    }
+    else
+    {
+        FatalError << "the files " << traces << " in " << folder;
+    }
+    FatalError << exit(FatalError);
+}
+
+
+void Foam::formerRun::readProperties(const wordList& traces)
+{
+    const fileName path(found(startName_));
+    grains_.file = mesh_.time().relativePath(path);
+
+    const IOdictionary dict(header(propertiesName, "uniform"));
+
+    for (const word& key : {"time", "demStep", "grains", "stamp", "bytes", "sha1", "files"})
+    {
+        if (!dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << key << " is missing in " << dict.objectPath()
+                << ": the grains of time " << startName_
+                << " were written by an older version of liggghtsCoupling and cannot be"
+                << " continued. Continue them with that version"
+                << exit(FatalIOError);
+        }
+    }
+
+    const scalar written = dict.get<scalar>("time");
+    if (mag(written - startTime_) > 0.5*mesh_.time().deltaTValue())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The grains in time " << startName_ << " were written at time "
+            << written << ". They belong to the fields of that time: copy them there, or, if"
+            << " all of this folder is of that time and the run shall go on from here, set"
+            << " the entry time of " << dict.objectPath() << " to "
+            << startName_ << exit(FatalIOError);
+    }
+
+    inserted_ = dict.get<scalar>("inserted");
+    leftBox_ = dict.get<scalar>("leftBox");
+    deleted_ = dict.get<scalar>("deleted");
+    grains_.stamp = dict.get<scalar>("stamp");
+    grains_.step = dict.get<scalar>("demStep");
+    grains_.grains = dict.get<scalar>("grains");
+
+    scalar bytes = 0;
+    if (Pstream::master())
+    {
+        bytes = Foam::fileSize(path);
+    }
+    Pstream::scatter(bytes);
+    const scalar expected = dict.get<scalar>("bytes");
+    if (bytes != expected)
+    {
+        std::ostringstream message;
+        message.precision(16);
+        message << "The file of grains " << grains_.file << " has " << bytes << " bytes instead of "
+            << expected;
+        incomplete(message.str(), traces);
+    }
+
+    if (digest(path) != dict.get<string>("sha1"))
+    {
+        incomplete("The file of grains " + grains_.file + " is damaged: its checksum differs", traces);
+    }
+
+    checkFiles(dict.get<wordList>("files"), traces);
+}
+
+
+void Foam::formerRun::checkFiles(wordList names, const wordList& traces) const
+{
+    // Reading a header may be collective
+    Pstream::scatter(names);
+    fileNameList missing(Pstream::nProcs());
+
+    for (const word& name : names)
+    {
+        IOobject io(header(name, fileName()));
+        if (!io.typeHeaderOk<volScalarField>(false, false, false))
+        {
+            missing[Pstream::myProcNo()] = mesh_.time().relativePath(io.objectPath());
+        }
+    }
+    Pstream::gatherList(missing);
+    Pstream::scatterList(missing);
+
+    for (const fileName& file : missing)
+    {
+        if (!file.empty())
+        {
+            incomplete("There is no readable file " + file, traces);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::formerRun::formerRun(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    startTime_(mesh.time().startTime().value()),
+    startName_(mesh.time().timeName(startTime_)),
+    grains_{"", -1, 0, 0},
+    inserted_(0),
+    leftBox_(0),
+    deleted_(0)
+{
+    const Time& time = mesh.time();
+    const fileName expected
+    (
+        time.relativePath(time.path()/startName_/"uniform"/grainsName)
+    );
+    const wordList names(traces());
+
+    if (names.found("uniform/" + grainsName))
+    {
+        if (!names.found("uniform/" + propertiesName))
+        {
+            incomplete
+            (
+                "Beside the grains of time " + startName_ + " there is no file uniform/"
+              + propertiesName,
+                names
+            );
+        }
+        readProperties(names);
+        return;
+    }
+
+    // Nothing of a coupled run lies at a first time, whatever later times hold
+    const std::string what
+    (
+        "The grains of time " + startName_ + " are missing: there is no complete file "
+      + expected
+    );
+    if (names.size())
+    {
+        incomplete(what, names);
+    }
+    if (earlierTimes())
+    {
+        incomplete(what + ", while earlier times of this case have theirs", names);
+    }
+    const fileName reached(table());
+    if (!reached.empty())
+    {
+        incomplete
+        (
+            what + ", while " + reached + " says that a coupled run has come up to"
+            " this time (remove that, too, to begin with new grains)",
+            names
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,188 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liggghtsCoupling.H"
+#include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
+#include "fvMatrices.H"
+#include "switchedOffCoupling.H"
+#include "turbulenceModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fv
+{
+    defineTypeNameAndDebug(liggghtsCoupling, 0);
+
+    // Switched off by the entry active, it must not need what a coupling needs, nor start LIGGGHTS
+    template<>
+    autoPtr<option> option::adddictionaryConstructorToTable<liggghtsCoupling>::New
+    (
+        const word& name,
+        const word& modelType,
+        const dictionary& dict,
+        const fvMesh& mesh
+    )
+    {
+        const dictionary checked
+        (
+            couplingEntries::checked(name, modelType, dict, mesh)
+        );
+        if (!checked.lookupOrDefault<Switch>("active", true))
+        {
+            return autoPtr<option>
+            (
+                new switchedOffCoupling(name, modelType, checked, mesh)
+            );
+        }
+        return autoPtr<option>(new liggghtsCoupling(name, modelType, checked, mesh));
+    }
+
+    addToRunTimeSelectionTable(option, liggghtsCoupling, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fv::liggghtsCoupling::begin()
+{
+    fluid_ = carrierFluid::New(coeffs_, mesh_);
+    fluid_->check();
+    fluid_->checkViscosity();
+    if (turbulence_)
+    {
+        turbulence_->check(coeffs_, *fluid_->model());
+    }
+    pipeline_.reset(new couplingPipeline(coeffs_, *fluid_, cloud_));
+}
+
+
+void Foam::fv::liggghtsCoupling::checkSources() const
+{
+    const bool firstStep = (timeIndex_ == mesh_.time().startTimeIndex());
+    for (label i = 1; i < applied_.size(); ++i)
+    {
+        if (!firstStep && !applied_[i])
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
+                << fluid_->model()->type() << " has not asked for the sources of "
+                << fieldNames_[i] << ", so they would have no effect. Set"
+                << " turbulenceSources to none, or change the model"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fv::liggghtsCoupling::liggghtsCoupling
+(
+    const word& name,
+    const word& modelType,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    option(name, modelType, dict, mesh),
+    turbulence_(grainTurbulence::New(coeffs_, mesh)),
+    cloud_(mesh),
+    timeIndex_(mesh.time().timeIndex())
+{
+    fieldNames_ = wordList(1, coeffs_.lookupOrDefault<word>("U", "U"));
+    if (turbulence_)
+    {
+        fieldNames_.append(turbulence_->fields());
+    }
+    applied_.setSize(fieldNames_.size(), false);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    fvMatrix<vector>& eqn,
+    const label fieldi
+)
+{
+    if (!pipeline_)
+    {
+        begin();
+    }
+    fluid_->checkEquation(eqn);
+
+    if (timeIndex_ != mesh_.time().timeIndex())
+    {
+        checkSources();
+        timeIndex_ = mesh_.time().timeIndex();
+        pipeline_->advance();
+    }
+    pipeline_->momentum().addSup(eqn);
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    fvMatrix<scalar>& eqn,
+    const label fieldi
+)
+{
+    const momentumExchange& momentum = pipeline_->momentum();
+    const tmp<volScalarField> trho(fluid_->rho());
+
+    turbulence_->addSup
+    (
+        eqn,
+        fieldNames_[fieldi],
+        momentum.dragCoefficient()/trho().primitiveField(),
+        momentum.responseTime()
+    );
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    const volScalarField& rho,
+    fvMatrix<vector>& eqn,
+    const label fieldi
+)
+{
+    addSup(eqn, fieldi);
+}
+
+
+Foam::label Foam::fv::liggghtsCoupling::applyToField(const word& fieldName) const
+{
+    const label fieldi = option::applyToField(fieldName);
+    const auto* field = mesh_.cfindObject<volVectorField>(fieldName);
+
+    if
+    (
+        fieldi < 0 && !applied_[0] && field && field->dimensions() == dimVelocity
+    )
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "U " << fieldNames_[0] << ": the solver's momentum equation is for "
+            << fieldName << ", so the grains would never move. Set U to " << fieldName
+            << exit(FatalIOError);
+    }
+    return fieldi;
+}
+
+
+bool Foam::fv::liggghtsCoupling::read(const dictionary& dict)
+{
+    switchedOffCoupling::warnOfChange(*this, dict_, dict);
+    return false;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,189 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "implicitMomentum.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvMatrices.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(implicitMomentum, 0);
+    addToRunTimeSelectionTable(grainMomentum, implicitMomentum, dictionary);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::implicitMomentum::missing(const cellSource& source) const
+{
+    return
+        source.later
+      + source.slope*(fluid_.U()[source.cell] - source.U0)*dt_;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
+:
+    grainMomentum(fluid),
+    sources_(),
+    number_(fluid.mesh().nCells(), -1),
+    owed_
+    (
+        IOobject
+        (
+            "particleMomentumOwed",
+            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
+            fluid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE
+        ),
+        fluid.mesh(),
+        dimensionedVector(dimForce*dimTime, Zero)
+    ),
+    dt_(0)
+{
+    // What a former run has left is owed like the rest of a step of this one
+    forAll(owed_, celli)
+    {
+        if (owed_[celli] != vector::zero)
+        {
+            sources_.append(cellSource{celli, Zero, Zero, 0, Zero});
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::implicitMomentum::close()
+{
+    vector received(Zero);
+
+    // Before the first step nothing has been received, and what is owed stays
+    if (dt_ > 0)
+    {
+        for (const cellSource& source : sources_)
+        {
+            vector& owed = owed_[source.cell];
+            owed = missing(source);
+            received += source.wanted + source.later - owed;
+        }
+    }
+    return received;
+}
+
+
+Foam::vector Foam::implicitMomentum::owed() const
+{
+    vector sum(Zero);
+    for (const cellSource& source : sources_)
+    {
+        sum += owed_[source.cell];
+    }
+    return sum;
+}
+
+
+void Foam::implicitMomentum::set
+(
+    const labelUList& cells,
+    const vectorField& impulse,
+    const scalarField& slope,
+    const scalar dt
+)
+{
+    const volVectorField& U = fluid_.U();
+    const scalarField& V = fluid_.mesh().V();
+    const tmp<volScalarField> trho(fluid_.rho());
+    const scalarField& rho = trho().primitiveField();
+    dt_ = dt;
+
+    DynamicList<label> before(sources_.size());
+    for (const cellSource& source : sources_)
+    {
+        before.append(source.cell);
+    }
+    sources_.clear();
+
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
+        const vector now(owed_[celli]/(1 + kappa));
+
+        number_[celli] = i;
+        sources_.append
+        (
+            cellSource
+            {
+                celli, now - impulse[i], owed_[celli] - now, slope[i], U[celli]
+            }
+        );
+    }
+
+    // Grains may have left a cell that is owed their momentum
+    for (const label celli : before)
+    {
+        if (number_[celli] < 0 && owed_[celli] != vector::zero)
+        {
+            sources_.append
+            (
+                cellSource{celli, owed_[celli], Zero, 0, U[celli]}
+            );
+        }
+    }
+    for (const label celli : cells)
+    {
+        number_[celli] = -1;
+    }
+}
+
+
+void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
+{
+    // fvMatrix keeps (diagonal)*U = source, integrated over cells
+    scalarField& diag = eqn.diag();
+    vectorField& rhs = eqn.source();
+    for (const cellSource& source : sources_)
+    {
+        const scalar rho = fluid_.equationDensity(source.cell);
+        diag[source.cell] -= source.slope/rho;
+        rhs[source.cell] -= (source.wanted/dt_ + source.slope*source.U0)/rho;
+    }
+}
+
+
+void Foam::implicitMomentum::write() const
+{
+    volVectorField::Internal owed
+    (
+        IOobject
+        (
+            owed_.name(),
+            fluid_.mesh().time().timeName(),
+            fluid_.mesh(),
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        owed_
+    );
+    if (dt_ > 0)
+    {
+        for (const cellSource& source : sources_)
+        {
+            owed[source.cell] = missing(source);
+        }
+    }
+    owed.write();
+}
+
+
+// ************************************************************************* //

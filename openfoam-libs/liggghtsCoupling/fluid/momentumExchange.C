@@ -1,0 +1,166 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "momentumExchange.H"
+#include "fvMatrices.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+IOobject writtenField(const word& name, const fvMesh& mesh)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::momentumExchange::deposit
+(
+    const ownedGrains& grains,
+    const UList<grainForces::record>& records,
+    cellAverages& averages,
+    const scalar dt
+)
+{
+    averages.shares().deposit<exchanged>
+    (
+        grains.size(),
+        [&](const label g){ return grains.cell(g); },
+        [&](const label g)
+        {
+            // Of all that drag gives to a grain, the reaction of this share goes to the fluid
+            const grainForces::record& r = records[g];
+            const scalar slope =
+                twoWay_ && r.dragCoefficient > 0
+              ? r.dragCoefficient/r.allCoefficients
+               *(-r.mass/dt*std::expm1(-r.allCoefficients*dt/r.mass))
+              : 0;
+            return exchanged{impulse_[g], r.dragCoefficient, slope, r.mass};
+        },
+        [&](const label celli, const scalar fraction, const exchanged& e)
+        {
+            exchanged& sum = averages.cells().sum(exchanged_, celli);
+            sum.impulse += fraction*e.impulse;
+            sum.dragCoefficient += fraction*e.dragCoefficient;
+            sum.slope += fraction*e.slope;
+            sum.mass += fraction*e.mass;
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentumExchange::momentumExchange
+(
+    const dictionary& dict,
+    const carrierFluid& fluid
+)
+:
+    twoWay_(dict.lookupOrDefault<word>("coupling", "twoWay") == "twoWay"),
+    setI_(dict.lookupOrDefault<word>("formulation", "SetI") == "SetI"),
+    momentum_(grainMomentum::New(dict, fluid)),
+    responseTime_(fluid.mesh().nCells(), Zero),
+    dragCoefficient_
+    (
+        writtenField("dragCoefficient", fluid.mesh()),
+        fluid.mesh(),
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    particleMomentumSource_
+    (
+        writtenField("particleMomentumSource", fluid.mesh()),
+        fluid.mesh(),
+        dimensionedVector(dimForce/dimVolume, Zero)
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::ownedGrains::received Foam::momentumExchange::receive
+(
+    ownedGrains& grains,
+    const grainForces& forces,
+    const UList<grainForces::record>& records,
+    cellAverages& averages
+)
+{
+    const fvMesh& mesh = dragCoefficient_.mesh();
+    const scalar dt = mesh.time().deltaTValue();
+    const scalarField& V = mesh.V();
+
+    for (const label celli : averages.cells().previous())
+    {
+        dragCoefficient_[celli] = 0;
+        particleMomentumSource_[celli] = Zero;
+        responseTime_[celli] = 0;
+    }
+
+    exchanged_.clear();
+    exchanged_.setSize(averages.cells().cells().size(), exchanged{});
+    const ownedGrains::received received = grains.receiveImpulse
+    (
+        impulse_,
+        [&](const label celli, const vector& impulse)
+        {
+            averages.cells().sum(exchanged_, celli).impulse += impulse;
+        }
+    );
+    deposit(grains, records, averages, dt);
+
+    const labelUList& cells = averages.cells().cells();
+    vectorField impulse(cells.size());
+    scalarField slope(cells.size());
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        exchanged& e = exchanged_[i];
+        if (!setI_)
+        {
+            e.impulse += dt*averages.solidVolume(i)*forces.stressDensity(celli);
+        }
+
+        impulse[i] = e.impulse;
+        slope[i] = e.slope;
+        responseTime_[celli] = e.mass/(e.dragCoefficient + VSMALL);
+        dragCoefficient_[celli] = e.dragCoefficient/V[celli];
+        particleMomentumSource_[celli] = -e.impulse/(dt*V[celli]);
+    }
+
+    if (twoWay_)
+    {
+        momentum_->set(cells, impulse, slope, dt);
+    }
+    return received;
+}
+
+
+void Foam::momentumExchange::addSup(fvMatrix<vector>& eqn) const
+{
+    if (twoWay_)
+    {
+        momentum_->addSup(eqn);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,303 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The quantities of the fluid that have no state, see fluidQuantity.H.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluidQuantity.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvcCurl.H"
+#include "turbulenceModel.H"
+#include "wallDist.H"
+
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+// A scalar or vector quantity whose field is one expression of the fluid
+class scalarQuantity
+:
+    public fluidQuantity
+{
+public:
+
+    using fluidQuantity::fluidQuantity;
+
+    virtual bool isVector() const
+    {
+        return false;
+    }
+
+protected:
+
+    // Is there a field of this name?
+    bool hasField(const word& name) const
+    {
+        return fluid_.mesh().foundObject<volScalarField>(name);
+    }
+
+    const volScalarField& field(const word& name) const
+    {
+        return fluid_.mesh().lookupObject<volScalarField>(name);
+    }
+};
+
+
+class vectorQuantity
+:
+    public fluidQuantity
+{
+public:
+
+    using fluidQuantity::fluidQuantity;
+
+    virtual bool isVector() const
+    {
+        return true;
+    }
+};
+
+
+class ofCellQuantity
+:
+    public scalarQuantity
+{
+public:
+
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool ofCell() const
+    {
+        return true;
+    }
+};
+
+
+// Why a turbulence model cannot tell k or epsilon
+string noTurbulence(const carrierFluid& fluid, const char* name)
+{
+    return
+        !fluid.model() ? string("the solver has no turbulence model")
+      : fluid.mesh().foundObject<volScalarField>(name)
+      ? string()
+      : "the turbulence model " + fluid.model()->type() + " has no field " + name;
+}
+
+
+struct velocityQuantity
+:
+    public vectorQuantity
+{
+    TypeName("U");
+    using vectorQuantity::vectorQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual tmp<volVectorField> vectorField() const
+    {
+        return fluid_.U();
+    }
+};
+
+
+struct voidFractionQuantity
+:
+    public scalarQuantity
+{
+    TypeName("voidFraction");
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return field("voidFraction");
+    }
+};
+
+
+struct densityQuantity
+:
+    public ofCellQuantity
+{
+    TypeName("rho");
+    using ofCellQuantity::ofCellQuantity;
+
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return fluid_.rho();
+    }
+};
+
+
+struct viscosityQuantity
+:
+    public ofCellQuantity
+{
+    TypeName("nu");
+    using ofCellQuantity::ofCellQuantity;
+
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return fluid_.nu();
+    }
+};
+
+
+struct pressureGradientQuantity
+:
+    public vectorQuantity
+{
+    TypeName("gradP");
+    using vectorQuantity::vectorQuantity;
+
+    virtual tmp<volVectorField> vectorField() const
+    {
+        return fluid_.gradP();
+    }
+};
+
+
+struct viscousStressQuantity
+:
+    public vectorQuantity
+{
+    TypeName("divTau");
+    using vectorQuantity::vectorQuantity;
+
+    virtual tmp<volVectorField> vectorField() const
+    {
+        return fluid_.divTau();
+    }
+};
+
+
+struct vorticityQuantity
+:
+    public vectorQuantity
+{
+    TypeName("curlU");
+    using vectorQuantity::vectorQuantity;
+
+    virtual tmp<volVectorField> vectorField() const
+    {
+        return fvc::curl(fluid_.U());
+    }
+};
+
+
+struct turbulentEnergyQuantity
+:
+    public scalarQuantity
+{
+    TypeName("k");
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual string missing() const
+    {
+        return noTurbulence(fluid_, "k");
+    }
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return field("k");
+    }
+};
+
+
+struct dissipationQuantity
+:
+    public scalarQuantity
+{
+    TypeName("epsilon");
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual string missing() const
+    {
+        return noTurbulence(fluid_, "epsilon");
+    }
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return field("epsilon");
+    }
+};
+
+
+struct temperatureQuantity
+:
+    public scalarQuantity
+{
+    TypeName("T");
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual string missing() const
+    {
+        return hasField("T") ? string() : string("the solver has no field T");
+    }
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return field("T");
+    }
+};
+
+
+struct wallDistanceQuantity
+:
+    public scalarQuantity
+{
+    TypeName("wallDistance");
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
+    {
+        return true;
+    }
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return wallDist::New(fluid_.mesh()).y();
+    }
+};
+
+#define makeFluidQuantity(Class)                                              \
+    defineTypeNameAndDebug(Class, 0);                                         \
+    addToRunTimeSelectionTable(fluidQuantity, Class, dictionary);
+
+makeFluidQuantity(velocityQuantity)
+makeFluidQuantity(voidFractionQuantity)
+makeFluidQuantity(densityQuantity)
+makeFluidQuantity(viscosityQuantity)
+makeFluidQuantity(pressureGradientQuantity)
+makeFluidQuantity(viscousStressQuantity)
+makeFluidQuantity(vorticityQuantity)
+makeFluidQuantity(turbulentEnergyQuantity)
+makeFluidQuantity(dissipationQuantity)
+makeFluidQuantity(temperatureQuantity)
+makeFluidQuantity(wallDistanceQuantity)
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+// ************************************************************************* //

@@ -1,0 +1,274 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainForces.H"
+#include "cellSampler.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::Tuple2<Foam::word, Foam::dictionary>>
+Foam::grainForces::readModels(const dictionary& dict)
+{
+    typedef Tuple2<word, dictionary> model;
+    DynamicList<model> models;
+
+    if (dict.isDict("forces"))
+    {
+        const dictionary& forces = dict.subDict("forces");
+        if (dict.found("drag"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "drag " << dict.get<word>("drag") << " and a dictionary of forces: drag is"
+                << " stated there. Remove the entry drag, and write in forces\n"
+                << "    drag { model " << dict.get<word>("drag") << "; }"
+                << exit(FatalIOError);
+        }
+        for (const entry& e : forces)
+        {
+            if (!e.isDict())
+            {
+                FatalIOErrorInFunction(forces)
+                    << "forces: " << e.keyword() << " has no dictionary of its entries."
+                    << " Write " << e.keyword() << " { }" << exit(FatalIOError);
+            }
+            models.append(model(e.keyword(), e.dict()));
+        }
+        return List<model>(models);
+    }
+
+    // The short form: drag always acts
+    dictionary drag;
+    drag.name() = dict.name();
+    drag.add("model", dict.lookupOrDefault<word>("drag", "Gidaspow"));
+    models.append(model("drag", drag));
+
+    dictionary none;
+    none.name() = dict.name();
+    wordHashSet names;
+    for (const word& name : dict.lookupOrDefault<wordList>("forces", wordList()))
+    {
+        if (name == "drag")
+        {
+            FatalIOErrorInFunction(dict)
+                << "forces: drag stands in the list, but it acts anyway. Remove it, and set"
+                << " the law by the entry drag" << exit(FatalIOError);
+        }
+        if (!names.insert(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "forces: " << name << " stands in the list twice, and would act twice."
+                << " Remove one of both" << exit(FatalIOError);
+        }
+        models.append(model(name, none));
+    }
+    return List<model>(models);
+}
+
+
+void Foam::grainForces::fill
+(
+    grainBatch& batch,
+    const ownedGrains& grains,
+    const label first
+) const
+{
+    const bool spin = requests().spin;
+    const label nStates = batch.nStateLanes();
+    List<scalar> state(nStates);
+
+    batch.n = min(grainBatch::size, grains.size() - first);
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        const label g = first + min(i, batch.n - 1);
+        const grainData grain = grains.grain(g);
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            batch.position[k][i] = grain.position[k];
+            batch.velocity[k][i] = grain.velocity[k];
+        }
+        batch.radius[i] = grain.radius;
+        batch.mass[i] = grain.mass;
+        batch.volume[i] = grain.volume();
+        batch.particleDiameter[i] = grain.particleDiameter();
+        batch.id[i] = grain.id;
+        batch.cell[i] = grain.cell;
+        batch.pyramid[i] = grain.pyramid;
+
+        if (spin)
+        {
+            const vector omega(grains.spin(g));
+            for (direction k = 0; k < 3; ++k)
+            {
+                batch.spin[k][i] = omega[k];
+            }
+        }
+        if (nStates)
+        {
+            grains.getState(g, state.data());
+            forAll(state, k)
+            {
+                batch.stateLanes()[k][i] = state[k];
+            }
+        }
+    }
+}
+
+
+void Foam::grainForces::setAction
+(
+    grainBatch& batch,
+    const label i,
+    ownedGrains& grains,
+    const label g
+) const
+{
+    const auto at = [i](const grainBatch::lane* lanes)
+    {
+        return vector(lanes[0][i], lanes[1][i], lanes[2][i]);
+    };
+
+    fluidAction action;
+    action.velocity = at(batch.fluidVelocity);
+    action.dragCoefficient = batch.Sp[i];
+    action.force = at(batch.Su);
+    action.nonReactingCoefficient = batch.nonReactingSp[i];
+    action.nonReactingForce = at(batch.nonReactingSu);
+    action.spin = at(batch.fluidSpin);
+    action.spinCoefficient = batch.spinCoefficient[i];
+    action.torque = at(batch.torque);
+    grains.set(g, action);
+
+    const label nStates = batch.nStateLanes();
+    if (nStates)
+    {
+        List<scalar> state(nStates);
+        forAll(state, k)
+        {
+            state[k] = batch.stateLanes()[k][i];
+        }
+        grains.setState(g, state.cdata());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::grainForces::grainForces
+(
+    const dictionary& dict,
+    const carrierFluid& fluid,
+    const cellLocator& locator
+)
+:
+    fluid_(fluid),
+    quantities_(fluid),
+    needs_
+    (
+        fluid,
+        quantities_,
+        dict.lookupOrDefault<word>("formulation", "SetI") == "SetI"
+    )
+{
+    needs_.begin("coupling", dict);
+    U_ = needs_.quantity("U");
+
+    for (const Tuple2<word, dictionary>& model : readModels(dict))
+    {
+        forces_.append(grainForce::New(model.first(), model.second(), needs_));
+    }
+    sampler_ = fluidSampler::New(dict, locator);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::grainForces::report(Ostream& os) const
+{
+    os  << "    Forces:";
+    for (const grainForce& force : forces_)
+    {
+        const string summary(force.summary());
+        os  << ' ' << force.type();
+        if (!summary.empty())
+        {
+            os  << " (" << summary.c_str() << ')';
+        }
+    }
+    os  << (forces_.empty() ? " none" : "") << nl;
+}
+
+
+Foam::scalar Foam::grainForces::act
+(
+    ownedGrains& grains,
+    DynamicList<record>& records
+)
+{
+    for (grainForce& force : forces_)
+    {
+        force.prepare();
+    }
+    quantities_.update();
+    sampler_->update(quantities_.interpolated());
+
+    const label n = grains.size();
+    ownedGrains::makeRoom(records, n);
+    records.setSize(n);
+
+    scalar slipSum = 0;
+    grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    for (label first = 0; first < n; first += grainBatch::size)
+    {
+        fill(batch, grains, first);
+        sampler_->at(batch, batch.fluidLanes());
+        cellSampler::ofCells(quantities_.ofCells(), batch, batch.fluidLanes());
+
+        batch.clearSums();
+        const grainBatch::lane* U = batch.fluid(U_);
+        for (direction k = 0; k < 3; ++k)
+        {
+            batch.fluidVelocity[k] = U[k];
+        }
+        for (const grainForce& force : forces_)
+        {
+            force.add(batch);
+        }
+
+        for (label i = 0; i < batch.n; ++i)
+        {
+            const label g = first + i;
+            setAction(batch, i, grains, g);
+            records[g] = record
+            {
+                batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
+            };
+
+            vector slip;
+            for (direction k = 0; k < 3; ++k)
+            {
+                slip[k] = batch.fluidVelocity[k][i] - batch.velocity[k][i];
+            }
+            slipSum += mag(slip);
+        }
+    }
+    grains.send();
+    return slipSum;
+}
+
+
+Foam::vector Foam::grainForces::stressDensity(const label celli) const
+{
+    vector sum(Zero);
+    for (const grainForce& force : forces_)
+    {
+        sum += force.stressDensity(celli);
+    }
+    return sum;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,269 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ownedGrains.H"
+#include "Pair.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::direction;
+
+void copy(const double* from, Foam::vector& to)
+{
+    to = Foam::vector(from[0], from[1], from[2]);
+}
+
+void copy(const Foam::vector& from, double* to)
+{
+    std::copy_n(from.cdata(), 3, to);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
+{
+    copy(action.velocity, values);
+    values[3] = action.dragCoefficient;
+    copy(action.force, values + 4);
+    values += 7;
+    if (session_.requested().nonReacting)
+    {
+        values[0] = action.nonReactingCoefficient;
+        copy(action.nonReactingForce, values + 1);
+        values += 4;
+    }
+    if (session_.requested().torque)
+    {
+        copy(action.spin, values);
+        values[3] = action.spinCoefficient;
+        copy(action.torque, values + 4);
+    }
+}
+
+
+Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
+{
+    fluidAction action;
+    copy(values, action.velocity);
+    action.dragCoefficient = values[3];
+    copy(values + 4, action.force);
+    values += 7;
+    if (session_.requested().nonReacting)
+    {
+        action.nonReactingCoefficient = values[0];
+        copy(values + 1, action.nonReactingForce);
+        values += 4;
+    }
+    if (session_.requested().torque)
+    {
+        copy(values, action.spin);
+        action.spinCoefficient = values[3];
+        copy(values + 4, action.torque);
+    }
+    return action;
+}
+
+
+void Foam::ownedGrains::setAtom
+(
+    const label atom,
+    const fluidAction& action,
+    const label rank,
+    const label number,
+    const bool present
+) const
+{
+    copy(action.velocity, exchange_.fluidVelocity[atom]);
+    copy(action.force, exchange_.explicitForce[atom]);
+    exchange_.dragCoefficient[atom] = action.dragCoefficient;
+    std::fill_n(exchange_.impulse[atom], 3, 0.0);
+    std::copy_n(grains_.position[atom], 3, exchange_.startPosition[atom]);
+
+    double* owner = exchange_.owner[atom];
+    owner[LAMMPS_NS::OWNER_RANK] = rank;
+    owner[LAMMPS_NS::OWNER_NUMBER] = number;
+    owner[LAMMPS_NS::OWNER_PRESENT] = present;
+
+    if (session_.requested().nonReacting)
+    {
+        exchange_.nonReactingCoefficient[atom] = action.nonReactingCoefficient;
+        copy(action.nonReactingForce, exchange_.nonReactingForce[atom]);
+        std::fill_n(exchange_.nonReactingImpulse[atom], 3, 0.0);
+    }
+    if (session_.requested().torque)
+    {
+        copy(action.spin, exchange_.fluidSpin[atom]);
+        exchange_.spinCoefficient[atom] = action.spinCoefficient;
+        copy(action.torque, exchange_.explicitTorque[atom]);
+    }
+}
+
+
+void Foam::ownedGrains::getAtomState(const label atom, scalar* values) const
+{
+    const auto& states = session_.requested().states;
+    for (std::size_t i = 0; i < states.size(); ++i)
+    {
+        const label n = states[i].initial.size();
+        std::copy_n(exchange_.states[i] + n*atom, n, values);
+        values += n;
+    }
+}
+
+
+void Foam::ownedGrains::setAtomState(const label atom, const scalar* values) const
+{
+    const auto& states = session_.requested().states;
+    for (std::size_t i = 0; i < states.size(); ++i)
+    {
+        const label n = states[i].initial.size();
+        std::copy_n(values, n, exchange_.states[i] + n*atom);
+        values += n;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::ownedGrains::ownedGrains
+(
+    const liggghtsSession& session,
+    const cellLocator& locator
+)
+:
+    session_(session),
+    locator_(locator),
+    route_(locator.mesh()),
+    grains_(),
+    exchange_(),
+    nState_(0),
+    nExtras_(0),
+    nAction_(0),
+    outsideMesh_(0),
+    leftBox_(0),
+    deleted_(0),
+    impulseBytes_(0)
+{
+    const liggghtsSession::requests& requested = session.requested();
+    for (const liggghtsSession::requests::state& state : requested.states)
+    {
+        nState_ += state.initial.size();
+    }
+    nExtras_ = nState_ + (requested.spin ? 3 : 0);
+    nAction_ =
+        2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0) + nState_;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::ownedGrains::clearOwners()
+{
+    const label n = session_.grains().n;
+    const liggghtsSession::fluidArrays exchange = session_.fluidForces();
+
+    for (label atom = 0; atom < n; ++atom)
+    {
+        exchange.owner[atom][LAMMPS_NS::OWNER_RANK] = -1;
+    }
+}
+
+
+void Foam::ownedGrains::restoreOwners()
+{
+    const liggghtsSession::grainArrays grains = session_.grains();
+    const liggghtsSession::fluidArrays exchange = session_.fluidForces();
+
+    // Cells are looked for at the positions at the beginning of the interval. Meanwhile both
+    // positions of each grain are kept here
+    List<Pair<vector>> positions(grains.n);
+    boolList owned(grains.n);
+    forAll(positions, atom)
+    {
+        double* now = grains.position[atom];
+        const double* start = exchange.startPosition[atom];
+        const double* owner = exchange.owner[atom];
+        copy(now, positions[atom].first());
+        copy(start, positions[atom].second());
+        owned[atom] =
+            owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
+        if (owned[atom])
+        {
+            std::copy_n(start, 3, now);
+        }
+    }
+
+    clearOwners();
+    locate([](const label, const UList<grainData>&){});
+    for (label g = 0; g < size(); ++g)
+    {
+        if (nState_)
+        {
+            List<scalar> state(nState_);
+            getState(g, state.data());
+            setState(g, state.cdata());
+        }
+        set(g, fluidAction());
+    }
+    send();
+
+    forAll(positions, atom)
+    {
+        copy(positions[atom].first(), grains.position[atom]);
+        copy(positions[atom].second(), exchange.startPosition[atom]);
+        if (!owned[atom])
+        {
+            exchange.owner[atom][LAMMPS_NS::OWNER_RANK] = -1;
+        }
+    }
+}
+
+
+void Foam::ownedGrains::send()
+{
+    route_.back
+    (
+        nAction_,
+        [&](const label g, scalar* values)
+        {
+            std::copy_n(&remoteActions_[nAction_*sources_[g].index], nAction_, values);
+        },
+        [&](const label item, const scalar* values)
+        {
+            const label atom = sentAtoms_[item];
+            setAtom(atom, unpack(values + 2), label(values[0]), label(values[1]), true);
+            setAtomState(atom, values + nAction_ - nState_);
+        }
+    );
+
+    // A grain that has just left the mesh still gets the second half of its last kick: its
+    // owner of the interval before will book that
+    for (const label atom : outsideAtoms_)
+    {
+        const double* owner = exchange_.owner[atom];
+        const label number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
+        const bool leaving =
+            owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
+
+        setAtom
+        (
+            atom,
+            fluidAction(),
+            leaving ? label(owner[LAMMPS_NS::OWNER_RANK]) : -1,
+            leaving ? number : -1,
+            false
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,293 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "ownedGrains.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// An impulse on its way to the owner of the grain
+struct impulseParcel
+{
+    label number;
+    label present;
+    vector impulse;
+};
+
+template<> struct is_contiguous<impulseParcel> : std::true_type {};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Found>
+void Foam::ownedGrains::locate(const Found& found)
+{
+    grains_ = session_.grains();
+    exchange_ = session_.fluidForces();
+    const label me = Pstream::myProcNo();
+
+    previousCells_.swap(cells_);
+    makeRoom(cells_, grains_.n);
+    makeRoom(pyramids_, grains_.n);
+    makeRoom(sources_, grains_.n);
+    remoteGrains_.clear();
+    sentAtoms_.clear();
+
+    // Not of this rank's mesh, or not found in it yet
+    DynamicList<grainData> sent;
+    DynamicList<label> firstRank;
+
+    // Many together, so that memory arrives while others are looked at: first that of the cells
+    // which held grains last, then that of the cells they have entered since
+    const label nTogether = 32;
+    grainData grains[nTogether];
+    cellLocator::place places[nTogether];
+    label ends[nTogether];
+
+    fetchLastCells(0, nTogether);
+    for (label first = 0; first < grains_.n; first += nTogether)
+    {
+        const label n = min(nTogether, grains_.n - first);
+        fetchLastCells(first + n, nTogether);
+        for (label i = 0; i < n; ++i)
+        {
+            places[i] = findInLastCell(first + i, ends[i]);
+        }
+
+        const label number = cells_.size();
+        label nFound = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            const label atom = first + i;
+            grainData& grain = grains[nFound];
+            grain = grainOf(atom);
+
+            // A grain that another rank owned probably still lies there: it asks there first
+            const double* owner = exchange_.owner[atom];
+            const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
+            const bool ownedElsewhere =
+                rank >= 0 && rank != me && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
+
+            if
+            (
+                places[i].cell < 0
+             && !ownedElsewhere
+             && !cellLocator::isRemote(ends[i])
+            )
+            {
+                places[i] =
+                    locator_.findOrFollow(grain.position, ends[i], ends[i]);
+            }
+
+            if (places[i].cell >= 0)
+            {
+                add(grain, places[i], source{atom, false});
+                ++nFound;
+                continue;
+            }
+
+            label firstAsked = -1;
+            if (ownedElsewhere)
+            {
+                firstAsked = rank;
+                grain.hintNumber = label(owner[LAMMPS_NS::OWNER_NUMBER]);
+            }
+            else if (cellLocator::isRemote(ends[i]))
+            {
+                firstAsked = locator_.remote(ends[i]).rank;
+                grain.hintCell = locator_.remote(ends[i]).cell;
+            }
+            // Without a hint ranks are chosen by their boxes, which lie inside of the periodic one
+            grain.position = locator_.wrap(grain.position);
+            sent.append(grain);
+            firstRank.append(firstAsked);
+            sentAtoms_.append(atom);
+        }
+        found(number, UList<grainData>(grains, nFound));
+    }
+
+    const auto addOne = [&]
+    (
+        grainData& grain,
+        const cellLocator::place& place,
+        const source& from
+    )
+    {
+        add(grain, place, from);
+        found(cells_.size() - 1, UList<grainData>(&grain, 1));
+    };
+
+    // Grains that arrive together are neighbours: without a hint the search begins in the cell
+    // that was found last
+    label near = -1;
+    const labelList owner = route_.establish<grainData>
+    (
+        sent,
+        firstRank,
+        [&](grainData grain) -> ownerRoute::reply
+        {
+            const label hint =
+                grain.hintNumber >= 0
+              ? previousCell(grain.hintNumber) : grain.hintCell;
+            label end = -1;
+            const cellLocator::place place =
+                hint >= 0 ? locator_.findOrFollow(grain.position, hint, end)
+              : locator_.find(grain.position, near, end);
+
+            if (place.cell >= 0)
+            {
+                near = place.cell;
+                addOne(grain, place, source{remoteGrains_.size(), true});
+                remoteGrains_.append(grain);
+                return ownerRoute::reply{cells_.size() - 1, -1, -1};
+            }
+            return ownerRoute::reply::refusal(locator_, end);
+        },
+        [&](const label i, const label hint) -> ownerRoute::reply
+        {
+            label end;
+            const cellLocator::place place =
+                locator_.findOrFollow(sent[i].position, hint, end);
+            if (place.cell >= 0)
+            {
+                addOne(sent[i], place, source{sentAtoms_[i], false});
+                return ownerRoute::reply{cells_.size() - 1, -1, -1};
+            }
+            return ownerRoute::reply::refusal(locator_, end);
+        }
+    );
+    remoteActions_.setSize(nAction_*remoteGrains_.size());
+    remoteExtras_.setSize(nExtras_*remoteGrains_.size());
+    if (nExtras_)
+    {
+        route_.forward
+        (
+            nExtras_,
+            [&](const label item, scalar* values)
+            {
+                const label atom = sentAtoms_[item];
+                if (nExtras_ > nState_)
+                {
+                    std::copy_n(grains_.spin[atom], 3, values);
+                }
+                getAtomState(atom, values + nExtras_ - nState_);
+            },
+            [&](const label g, const scalar* values)
+            {
+                std::copy_n
+                (
+                    values, nExtras_, &remoteExtras_[nExtras_*sources_[g].index]
+                );
+            }
+        );
+    }
+
+    outsideAtoms_.clear();
+    forAll(sent, i)
+    {
+        if (owner[i] < 0)
+        {
+            outsideAtoms_.append(sentAtoms_[i]);
+        }
+    }
+    outsideMesh_ = returnReduce(outsideAtoms_.size(), sumOp<label>());
+}
+
+
+template<class Left>
+Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
+(
+    DynamicList<vector>& impulse,
+    const Left& left
+)
+{
+    const label n = session_.grains().n;
+    LAMMPS_NS::FluidForceExchange& removals = session_.fluidForce();
+    const liggghtsSession::fluidArrays exchange = session_.fluidForces();
+    const bool nonReacting = session_.requested().nonReacting;
+    const label me = Pstream::myProcNo();
+
+    makeRoom(impulse, cells_.size());
+    impulse.setSize(cells_.size(), Zero);
+    received all;
+
+    const auto arrive = [&](const impulseParcel& p)
+    {
+        if (p.present)
+        {
+            impulse[p.number] += p.impulse;
+        }
+        else
+        {
+            left(previousCells_[p.number], p.impulse);
+        }
+    };
+
+    List<DynamicList<impulseParcel>> parcels(Pstream::nProcs());
+
+    const auto book = [&](const double* owner, const double* given)
+    {
+        const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
+        const impulseParcel parcel
+        {
+            label(owner[LAMMPS_NS::OWNER_NUMBER]),
+            label(owner[LAMMPS_NS::OWNER_PRESENT]),
+            vector(given[0], given[1], given[2])
+        };
+        all.reacting += parcel.impulse;
+        if (rank == me)
+        {
+            arrive(parcel);
+        }
+        else if (rank >= 0)
+        {
+            parcels[rank].append(parcel);
+        }
+    };
+    const auto bookNonReacting = [&](const double* given)
+    {
+        all.nonReacting += vector(given[0], given[1], given[2]);
+    };
+
+    for (label atom = 0; atom < n; ++atom)
+    {
+        book(exchange.owner[atom], exchange.impulse[atom]);
+        if (nonReacting)
+        {
+            bookNonReacting(exchange.nonReactingImpulse[atom]);
+        }
+    }
+    leftBox_ = deleted_ = 0;
+    for (label i = 0; i < removals.nRemoved; ++i)
+    {
+        const LAMMPS_NS::FluidForceExchange::Removed& grain = removals.removed[i];
+        book(grain.owner, grain.impulse);
+        bookNonReacting(grain.nonReactingImpulse);
+        ++(grain.fate == LAMMPS_NS::FluidForceExchange::LEFT_BOX ? leftBox_ : deleted_);
+    }
+    removals.clearRemoved(&removals);
+
+    impulseBytes_ += ownerRoute::exchange<impulseParcel>
+    (
+        parcels,
+        [&](const label, const UList<impulseParcel>& incoming)
+        {
+            for (const impulseParcel& p : incoming)
+            {
+                arrive(p);
+            }
+        }
+    );
+    return all;
+}
+
+
+// ************************************************************************* //
