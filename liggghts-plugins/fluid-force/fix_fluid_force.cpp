@@ -7,7 +7,6 @@
 #include "fix_fluid_force.h"
 
 #include "host/fix_arguments.h"
-#include "physics/drag/exponential_drag.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -16,7 +15,6 @@
 #include "modify.h"
 #include "update.h"
 
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -24,16 +22,19 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using grainjet::FixArguments;
-using grainjet::drag::ExponentialDrag;
 
 /* ---------------------------------------------------------------------- */
 
 FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  coupled_(false),
+  coupled_(false), properties_(lmp, this),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
-  fluidForce_(NULL), startPosition_(NULL), host_(NULL), fluidTorque_(NULL),
-  exchange_(), lost_(lmp), doorOpen_(false), running_(lmp), held_(lmp),
+  fluidForce_(NULL), startPosition_(NULL), owner_(NULL),
+  nonReactingCoefficient_(NULL), nonReactingForce_(NULL), nonReactingImpulse_(NULL),
+  nonReactingApplied_(NULL),
+  fluidSpin_(NULL), spinCoefficient_(NULL), explicitTorque_(NULL), fluidTorque_(NULL),
+  exchange_(), exchangeOpen_(false), nonReactingRequested_(false), torqueRequested_(false),
+  nonReactingRead_(false), torqueRead_(false), removed_(lmp), running_(lmp), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
   parse(narg, arg);
@@ -103,19 +104,24 @@ int FixFluidForce::setmask()
 
 void FixFluidForce::post_create()
 {
-  dragCoefficient_ = property("fluidDragCoefficient", 1, "0.");
-  impulse_ = property("fluidImpulse", 3, "0.");
-  fluidForce_ = property("fluidForce", 3, "0.");
-  if (uniform_ && uniform_->rotation()) fluidTorque_ = property("fluidTorque", 3, "0.");
+  dragCoefficient_ = properties_.create("fluidDragCoefficient", {0.0});
+  impulse_ = properties_.create("fluidImpulse", {0.0, 0.0, 0.0});
+  fluidForce_ = properties_.create("fluidForce", {0.0, 0.0, 0.0});
+  if (uniform_ && uniform_->rotation()) fluidTorque_ = properties_.create("fluidTorque", {0.0, 0.0, 0.0});
   if (coupled_) {
-    fluidVelocity_ = property("fluidVelocity", 3, "0.");
-    explicitForce_ = property("fluidExplicitForce", 3, "0.");
-    host_ = property("fluidHost", 2, "-1.");
+    fluidVelocity_ = properties_.create("fluidVelocity", {0.0, 0.0, 0.0});
+    explicitForce_ = properties_.create("fluidExplicitForce", {0.0, 0.0, 0.0});
+    owner_ = properties_.create("fluidOwner", {-1.0, -1.0, 0.0});
 
     // its initial value is the grain's own position: set_arrays() does that
-    startPosition_ = property("fluidStartPosition", 3, "none");
+    startPosition_ = properties_.create_unset("fluidStartPosition", 3);
     if (!startPosition_->recent_restart)
       for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+
+    // what a coupling had asked for before the restart file was written
+    if (nonReactingRead_) create_non_reacting();
+    if (torqueRead_) create_torque();
+    properties_.create_states();
   }
 
   // What is there has its initial state now. Modify::setup would set it once more and
@@ -123,29 +129,11 @@ void FixFluidForce::post_create()
   just_created = 0;
 }
 
-/* ----------------------------------------------------------------------
-   a stock fix property/atom with restart and without ghosts
-------------------------------------------------------------------------- */
-
-FixPropertyAtom *FixFluidForce::property(const char *name, int size, const char *value)
-{
-  std::vector<const char *> args = {name, "all", "property/atom", name,
-    size == 1 ? "scalar" : "vector", "yes", "no", "no"};
-  args.insert(args.end(), size, value);
-  FixPropertyAtom *fix = modify->add_fix_property_atom(
-    args.size(), const_cast<char **>(args.data()), style);
-  fix->just_created = 0;
-  return fix;
-}
-
 /* ---------------------------------------------------------------------- */
 
 void FixFluidForce::pre_delete(bool unfixflag)
 {
-  if (!unfixflag) return;
-  for (FixPropertyAtom *fix : {dragCoefficient_, impulse_, fluidForce_, fluidTorque_,
-      fluidVelocity_, explicitForce_, host_, startPosition_})
-    if (fix) modify->delete_fix(fix->id);
+  if (unfixflag) properties_.remove();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -158,7 +146,9 @@ void FixFluidForce::init()
   if (uniform_) uniform_->init();
   held_.init();
   check_other_fixes();
-  if (coupled_) lost_.act_first(modify->find_fix(id));
+  if (!coupled_) return;
+  removed_.act_first(modify->find_fix(id));
+  if (exchangeOpen_) drop_unrequested();
 }
 
 /* ----------------------------------------------------------------------
@@ -259,101 +249,13 @@ void FixFluidForce::pre_final_integrate()
   apply(update->dt, false, true);
 }
 
-/* ----------------------------------------------------------------------
-   Adds the fluid force to all grains.
-   kick: time over which the integrator applies it; remove: take the previous one off
-   first; book: add the impulse of the half kick before and the half kick to come
-------------------------------------------------------------------------- */
-
-void FixFluidForce::apply(double kick, bool remove, bool book)
-{
-  sumStep_ = -1;    // on all ranks alike, also on one without grains
-  const int nlocal = atom->nlocal;
-  if (nlocal == 0) return;
-  const double half = 0.5 * update->dt;
-  double buoyancy[3];
-  if (uniform_) uniform_->buoyancy(buoyancy);
-
-  // The loop is bound by memory. LIGGGHTS' arrays of vectors are one block each, so their
-  // rows need not be looked up.
-  const double *velocities = atom->v[0];
-  const double *fluids = coupled_ ? fluidVelocity_->array_atom[0] : NULL;
-  const double *explicits = coupled_ ? explicitForce_->array_atom[0] : NULL;
-  double *coefficient = dragCoefficient_->vector_atom;
-  bool wrong = false;
-
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const int first = 3 * i;
-    double *f = atom->f[0] + first;
-    double *applied = fluidForce_->array_atom[0] + first;
-    double *impulse = impulse_->array_atom[0] + first;
-    if (held_.holds(i)) {
-      applied[0] = applied[1] = applied[2] = 0.0;
-      continue;
-    }
-    const double *v = velocities + first;
-    const double *fluid = coupled_ ? fluids + first : uniform_->velocity();
-
-    double given[3], other[3];
-    for (int dim = 0; dim < 3; dim++) {
-      if (remove) f[dim] -= applied[dim];
-      given[dim] = coupled_ ? explicits[first + dim]
-        : buoyancy[dim] * UniformFlow::volume(atom->radius[i]);
-      other[dim] = f[dim] + given[dim];
-    }
-    if (uniform_)
-      coefficient[i] =
-        uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0);
-
-    const ExponentialDrag drag(coefficient[i], kick, atom->rmass[i]);
-    for (int dim = 0; dim < 3; dim++) {
-      const double force =
-        given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
-      f[dim] += force;
-      wrong |= !(std::fabs(force) <= LARGEST_FORCE);    // also if it is no number
-      if (book) impulse[dim] += half * (applied[dim] + force);
-      applied[dim] = force;
-    }
-  }
-  if (wrong) refuse_force();
-  if (fluidTorque_) rotational_drag(kick, remove);
-}
-
-/* ---------------------------------------------------------------------- */
-
-const double *FixFluidForce::fluid_velocity(int i) const
-{
-  return coupled_ ? fluidVelocity_->array_atom[i] : uniform_->velocity();
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixFluidForce::rotational_drag(double kick, bool remove)
-{
-  double **torque = atom->torque;
-  double **applied = fluidTorque_->array_atom;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || held_.holds(i)) continue;
-    const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
-    const ExponentialDrag drag(uniform_->spinCoefficient(i), kick, inertia);
-    for (int dim = 0; dim < 3; dim++) {
-      if (remove) torque[i][dim] -= applied[i][dim];
-      applied[i][dim] = -drag.slip * atom->omega[i][dim] - drag.other * torque[i][dim];
-      torque[i][dim] += applied[i][dim];
-    }
-  }
-}
-
 /* ---------------------------------------------------------------------- */
 
 void FixFluidForce::setup_pre_exchange()
 {
   running_.forget_lists();
   if (running_.resume()) running_.to_lists();
-  if (!doorOpen_) return;
-  refresh_exchange();
-  lost_.collect_outside(exchange_, 0.0);
+  collect_removed(false, 0.0);
 }
 
 /* ----------------------------------------------------------------------
@@ -362,8 +264,5 @@ void FixFluidForce::setup_pre_exchange()
 
 void FixFluidForce::pre_exchange()
 {
-  if (!doorOpen_) return;
-  refresh_exchange();
-  lost_.collect_marked(exchange_, 0.5 * update->dt);
-  lost_.collect_outside(exchange_, 0.5 * update->dt);
+  collect_removed(true, 0.5 * update->dt);
 }

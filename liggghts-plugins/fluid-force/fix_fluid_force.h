@@ -15,8 +15,9 @@ FixStyle(fluid/force,FixFluidForce)
 
 #include "fix.h"
 #include "fluid_force_exchange.h"
+#include "grain_properties.h"
 #include "held_grains.h"
-#include "lost_grains.h"
+#include "removed_grains.h"
 #include "running_state.h"
 #include "uniform_flow.h"
 
@@ -24,8 +25,8 @@ FixStyle(fluid/force,FixFluidForce)
 
 namespace LAMMPS_NS {
 
-/* Force of a fluid on the grains: drag that follows the grain's current velocity every
-   DEM step, plus an explicit force. User page: docs/fix_fluid_force.md.
+/* Forces and torque of a fluid on the grains: drag that follows the grain's current velocity
+   every DEM step, and explicit forces. User page: docs/fix_fluid_force.md.
 
      fix ID group fluid/force coupled
      fix ID group fluid/force uniform ux uy uz density rho viscosity nu
@@ -36,14 +37,21 @@ namespace LAMMPS_NS {
    velocities are exact for constant other forces, whole-step velocities and positions
    of second order in dt/tau; stable for any drag coefficient.
 
-   Per-grain state lives in stock fix property/atom instances of these names, so that it
-   migrates, is sorted, restarted and dumped (f_fluidForce[1] ...) by LIGGGHTS itself:
-     fluidVelocity[3] fluidDragCoefficient fluidExplicitForce[3] fluidImpulse[3]
-     fluidForce[3] fluidStartPosition[3] fluidHost[2]
+   Per-grain values lie in stock fix property/atom instances (grain_properties.h), so that
+   LIGGGHTS itself moves, sorts, restarts and dumps them (f_fluidForce[1] ...):
+     fluidDragCoefficient fluidImpulse[3] fluidForce[3]                  both styles
+     fluidVelocity[3] fluidExplicitForce[3] fluidStartPosition[3] fluidOwner[3]    coupled
+     fluidNonReactingCoefficient fluidNonReactingForce[3] fluidNonReactingImpulse[3]
+       fluidNonReactingApplied[3]      coupled, if the coupling asks for it (useNonReacting)
+     fluidSpin[3] fluidSpinCoefficient fluidExplicitTorque[3]       the same with useTorque
+     fluidTorque[3]                         coupled with useTorque, uniform with rotation yes
+     fluidState_<name>                                                     the same, addState
+   fluidNonReactingApplied: forces without reaction of the latest step, N. Meaning and units of
+   the others: fluid_force_exchange.h.
+
    A restart file from the middle of a run of style coupled holds what the next run needs to go on
-   as if that had not stopped: running_state.h.
-   (uniform has fluidDragCoefficient, fluidImpulse, fluidForce, and with rotation yes
-   fluidTorque[3]). Meaning and units: fluid_force_exchange.h.
+   as if that had not stopped: running_state.h. What a coupling had asked for comes back with
+   it; if the next coupling does not ask for it, those forces are 0 from its first run on.
 
    Global vector: 1-3 total fluid force (N), 4 mean slip speed (m/s) of the grains
    that have a drag coefficient.                                                     */
@@ -91,17 +99,22 @@ class FixFluidForce : public Fix {
   bool coupled_;
   std::unique_ptr<UniformFlow> uniform_;    // NULL in style coupled
 
-  // ---- per-grain state; those of the exchange are NULL in style uniform
+  // ---- values per grain; NULL where the style or the coupling has none
 
+  GrainProperties properties_;
   class FixPropertyAtom *fluidVelocity_, *dragCoefficient_, *explicitForce_;
-  class FixPropertyAtom *impulse_, *fluidForce_, *startPosition_, *host_;
-  class FixPropertyAtom *fluidTorque_;    // rotation yes only
+  class FixPropertyAtom *impulse_, *fluidForce_, *startPosition_, *owner_;
+  class FixPropertyAtom *nonReactingCoefficient_, *nonReactingForce_;
+  class FixPropertyAtom *nonReactingImpulse_, *nonReactingApplied_;
+  class FixPropertyAtom *fluidSpin_, *spinCoefficient_, *explicitTorque_, *fluidTorque_;
 
   // ---- style coupled
 
   FluidForceExchange exchange_;
-  LostGrains lost_;
-  bool doorOpen_;                   // a coupling has asked for the exchange: book losses
+  bool exchangeOpen_;               // a coupling has asked for the exchange
+  bool nonReactingRequested_, torqueRequested_;      // by that coupling
+  bool nonReactingRead_, torqueRead_;                // are in the restart file
+  RemovedGrains removed_;
   RunningState running_;
 
   HeldGrains held_;
@@ -110,19 +123,35 @@ class FixFluidForce : public Fix {
   double sums_[5];                  // force, sum of slip speeds, number of those
 
   void parse(int, char **);
-  class FixPropertyAtom *property(const char *, int, const char *);
   void check_other_fixes();
 
+  void create_non_reacting();
+  void create_torque();
+  void drop_unrequested();
+
   void refresh_exchange();
+  void collect_removed(bool deleting, double halfKick);
+
+  // Adds the fluid's force and torque to all grains. kick: time over which the integrator
+  // applies them; remove: take the previous ones off first; book: add the impulse of the half
+  // kick before and the half kick to come
   void apply(double kick, bool remove, bool book);
+  template<bool UNIFORM, bool NON_REACTING> bool push(double kick, bool remove, bool book);
+  bool turn(double kick, bool remove);
+
   const double *fluid_velocity(int) const;
-  void rotational_drag(double kick, bool remove);
   void sum();
   void refuse_force();
+  void refuse_torque();
+  [[noreturn]] void refuse(const char *text);
 
-  static constexpr double LARGEST_FORCE = 1e30;    // N, on a grain
+  static constexpr double LARGEST = 1e30;    // N or N m, on a grain
 
-  static void clear_lost(FluidForceExchange *);
+  static void clear_removed(FluidForceExchange *);
+  static void use_non_reacting(FluidForceExchange *);
+  static void use_torque(FluidForceExchange *);
+  static int add_state(FluidForceExchange *, const char *, int, const double *);
+  static double *state(FluidForceExchange *, int);
 };
 
 }

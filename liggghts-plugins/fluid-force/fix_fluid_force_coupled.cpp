@@ -4,16 +4,18 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-/* fix fluid/force coupled: its door, and its part of a restart file, which is that of RunningState.
+/* fix fluid/force coupled: its exchange with a coupling, and its part of a restart file, which is that of RunningState.
    Style uniform has neither. */
 
 #include "fix_fluid_force.h"
 #include "host/grainjet_version.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "fix_property_atom.h"
 
 #include <cstring>
+#include <vector>
 
 using namespace LAMMPS_NS;
 
@@ -27,10 +29,24 @@ void FixFluidForce::refresh_exchange()
   exchange_.impulse = impulse_->array_atom;
   exchange_.fluidForce = fluidForce_->array_atom;
   exchange_.startPosition = startPosition_->array_atom;
-  exchange_.host = host_->array_atom;
-  exchange_.nLost = lost_.grains().size();
-  exchange_.lost = lost_.grains().data();
-  exchange_.clearLost = clear_lost;
+  exchange_.owner = owner_->array_atom;
+  if (nonReactingForce_) {
+    exchange_.nonReactingCoefficient = nonReactingCoefficient_->vector_atom;
+    exchange_.nonReactingForce = nonReactingForce_->array_atom;
+    exchange_.nonReactingImpulse = nonReactingImpulse_->array_atom;
+  }
+  if (explicitTorque_) {
+    exchange_.fluidSpin = fluidSpin_->array_atom;
+    exchange_.spinCoefficient = spinCoefficient_->vector_atom;
+    exchange_.explicitTorque = explicitTorque_->array_atom;
+  }
+  exchange_.nRemoved = removed_.grains().size();
+  exchange_.removed = removed_.grains().data();
+  exchange_.clearRemoved = clear_removed;
+  exchange_.useNonReacting = use_non_reacting;
+  exchange_.useTorque = use_torque;
+  exchange_.addState = add_state;
+  exchange_.state = state;
   exchange_.written = running_.written();
   exchange_.read = running_.read();
   exchange_.fix = this;
@@ -38,10 +54,85 @@ void FixFluidForce::refresh_exchange()
 
 /* ---------------------------------------------------------------------- */
 
-void FixFluidForce::clear_lost(FluidForceExchange *door)
+void FixFluidForce::clear_removed(FluidForceExchange *exchange)
 {
-  static_cast<FixFluidForce *>(door->fix)->lost_.clear();
-  door->nLost = 0;
+  static_cast<FixFluidForce *>(exchange->fix)->removed_.clear();
+  exchange->nRemoved = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::collect_removed(bool deleting, double halfKick)
+{
+  if (!exchangeOpen_) return;
+  refresh_exchange();
+  removed_.collect(exchange_, deleting, halfKick,
+    nonReactingApplied_ ? nonReactingApplied_->array_atom : NULL);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::create_non_reacting()
+{
+  nonReactingCoefficient_ = properties_.create("fluidNonReactingCoefficient", {0.0});
+  nonReactingForce_ = properties_.create("fluidNonReactingForce", {0.0, 0.0, 0.0});
+  nonReactingImpulse_ = properties_.create("fluidNonReactingImpulse", {0.0, 0.0, 0.0});
+  nonReactingApplied_ = properties_.create("fluidNonReactingApplied", {0.0, 0.0, 0.0});
+}
+
+void FixFluidForce::create_torque()
+{
+  fluidSpin_ = properties_.create("fluidSpin", {0.0, 0.0, 0.0});
+  spinCoefficient_ = properties_.create("fluidSpinCoefficient", {0.0});
+  explicitTorque_ = properties_.create("fluidExplicitTorque", {0.0, 0.0, 0.0});
+  fluidTorque_ = properties_.create("fluidTorque", {0.0, 0.0, 0.0});
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::use_non_reacting(FluidForceExchange *exchange)
+{
+  FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
+  if (!fix->nonReactingForce_) fix->create_non_reacting();
+  fix->nonReactingRequested_ = true;
+  fix->refresh_exchange();
+}
+
+void FixFluidForce::use_torque(FluidForceExchange *exchange)
+{
+  FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
+  if (!fix->explicitTorque_) fix->create_torque();
+  fix->torqueRequested_ = true;
+  fix->refresh_exchange();
+}
+
+int FixFluidForce::add_state(FluidForceExchange *exchange, const char *name, int size,
+  const double *initial)
+{
+  return static_cast<FixFluidForce *>(exchange->fix)->properties_.add_state(name, size, initial);
+}
+
+double *FixFluidForce::state(FluidForceExchange *exchange, int index)
+{
+  return static_cast<FixFluidForce *>(exchange->fix)->properties_.state(index);
+}
+
+/* ----------------------------------------------------------------------
+   Forces of the restart file that the coupling of this run does not know of. They end here; their
+   last half kick is still to come and is booked as theirs.
+------------------------------------------------------------------------- */
+
+void FixFluidForce::drop_unrequested()
+{
+  const int nlocal = atom->nlocal;
+  const auto clear = [nlocal](FixPropertyAtom *coefficient, FixPropertyAtom *constant) {
+    for (int i = 0; i < nlocal; i++) {
+      coefficient->vector_atom[i] = 0.0;
+      for (int dim = 0; dim < 3; dim++) constant->array_atom[i][dim] = 0.0;
+    }
+  };
+  if (nonReactingForce_ && !nonReactingRequested_) clear(nonReactingCoefficient_, nonReactingForce_);
+  if (explicitTorque_ && !torqueRequested_) clear(spinCoefficient_, explicitTorque_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -51,7 +142,7 @@ void *FixFluidForce::extract(const char *what, int &dim)
   dim = 0;
   if (strcmp(what, "fluid_force_version") == 0) return const_cast<char *>(GRAINJET_VERSION);
   if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
-  doorOpen_ = true;
+  exchangeOpen_ = true;
   refresh_exchange();
   return &exchange_;
 }
@@ -65,11 +156,22 @@ int FixFluidForce::min_type()
   return coupled_ && atom->natoms == 0 ? 1 : 0;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   Global part: numbers of RunningState, whether there are forces without reaction and torque,
+   states of the models
+------------------------------------------------------------------------- */
 
 void FixFluidForce::write_restart(FILE *fp)
 {
-  running_.begin_write(fp);
+  std::vector<double> list = running_.begin_write();
+  list.push_back(nonReactingForce_ != NULL);
+  list.push_back(explicitTorque_ != NULL);
+  properties_.pack(list, !exchangeOpen_);
+
+  if (comm->me) return;
+  const int size = list.size() * sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
 }
 
 /* ----------------------------------------------------------------------
@@ -85,7 +187,10 @@ void FixFluidForce::write_restart_file(char *)
 
 void FixFluidForce::restart(char *buf)
 {
-  running_.restart(buf);
+  const double *list = running_.restart(reinterpret_cast<const double *>(buf));
+  nonReactingRead_ = *list++ != 0.0;
+  torqueRead_ = *list++ != 0.0;
+  properties_.unpack(list);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 using namespace LAMMPS_NS;
 
@@ -24,22 +25,63 @@ using namespace LAMMPS_NS;
    each other here, so the one that has it ends the run.
 ------------------------------------------------------------------------- */
 
+void FixFluidForce::refuse(const char *text)
+{
+  fflush(NULL);    // the log and dumps up to here
+  error->one(FLERR, text);
+  std::abort();    // never reached: Error::one ends the program
+}
+
+/* ---------------------------------------------------------------------- */
+
+static bool good(const double *vector, double largest)
+{
+  return std::fabs(vector[0]) <= largest && std::fabs(vector[1]) <= largest && std::fabs(vector[2]) <= largest;
+}
+
+/* ----------------------------------------------------------------------
+   Forces with and without reaction may be absurd and still have a small sum.
+------------------------------------------------------------------------- */
+
 void FixFluidForce::refuse_force()
 {
   for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
     const double *force = fluidForce_->array_atom[i], *v = atom->v[i];
-    if (!(atom->mask[i] & groupbit) ||
-      (std::fabs(force[0]) <= LARGEST_FORCE && std::fabs(force[1]) <= LARGEST_FORCE
-        && std::fabs(force[2]) <= LARGEST_FORCE)) continue;
+    const double *without = nonReactingApplied_ ? nonReactingApplied_->array_atom[i] : NULL;
+    if (good(force, LARGEST) && (!without || good(without, LARGEST))) continue;
+
     const double *fluid = fluid_velocity(i);
-    char text[512];
-    snprintf(text, sizeof(text), "Fix fluid/force (ID %s): the force on grain %d is (%g %g %g) N in step "
+    char part[128] = "";
+    double coefficient = dragCoefficient_->vector_atom[i];
+    if (without) {
+      snprintf(part, sizeof(part), ", of which (%g %g %g) N without reaction on the fluid,",
+        without[0], without[1], without[2]);
+      coefficient += nonReactingCoefficient_->vector_atom[i];
+    }
+    char text[640];
+    snprintf(text, sizeof(text), "Fix fluid/force (ID %s): the force on grain %d is (%g %g %g) N%s in step "
       BIGINT_FORMAT ". Its velocity is (%g %g %g) m/s, the fluid's (%g %g %g) m/s, the drag coefficient %g kg/s, "
       "radius %g m, mass %g kg. Look for what is not finite or far too large: a time step too long for the contacts, or a "
-      "fluid that diverges", id, atom->tag[i], force[0], force[1], force[2], update->ntimestep, v[0], v[1], v[2],
-      fluid[0], fluid[1], fluid[2], dragCoefficient_->vector_atom[i], atom->radius[i], atom->rmass[i]);
-    fflush(NULL);    // the log and dumps up to here
-    error->one(FLERR, text);
+      "fluid that diverges", id, atom->tag[i], force[0], force[1], force[2], part, update->ntimestep, v[0], v[1], v[2],
+      fluid[0], fluid[1], fluid[2], coefficient, atom->radius[i], atom->rmass[i]);
+    refuse(text);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::refuse_torque()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *torque = fluidTorque_->array_atom[i], *omega = atom->omega[i];
+    if (!(atom->mask[i] & groupbit) || good(torque, LARGEST)) continue;
+    char text[640];
+    snprintf(text, sizeof(text), "Fix fluid/force (ID %s): the fluid's torque on grain %d is (%g %g %g) N m in step "
+      BIGINT_FORMAT ". Its angular velocity is (%g %g %g) rad/s, radius %g m, mass %g kg. Look for what is not finite or "
+      "far too large: a time step too long for the contacts, or a fluid that diverges", id, atom->tag[i],
+      torque[0], torque[1], torque[2], update->ntimestep, omega[0], omega[1], omega[2], atom->radius[i], atom->rmass[i]);
+    refuse(text);
   }
 }
 
@@ -60,7 +102,9 @@ void FixFluidForce::sum()
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     for (int dim = 0; dim < 3; dim++) mine[dim] += fluidForce_->array_atom[i][dim];
-    if (dragCoefficient_->vector_atom[i] <= 0.0) continue;
+    double coefficient = dragCoefficient_->vector_atom[i];
+    if (nonReactingCoefficient_) coefficient += nonReactingCoefficient_->vector_atom[i];
+    if (coefficient <= 0.0) continue;
     const double *fluid = fluid_velocity(i);
     double square = 0.0;
     for (int dim = 0; dim < 3; dim++)

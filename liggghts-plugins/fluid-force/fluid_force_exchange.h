@@ -7,26 +7,32 @@
 #ifndef GRAINJET_FLUID_FORCE_EXCHANGE_H
 #define GRAINJET_FLUID_FORCE_EXCHANGE_H
 
-/* The door through which a coupling writes to `fix fluid/force coupled`.
-
-   A coupling finds the fix by its style name and asks for
+/* The data that a coupling and `fix fluid/force coupled` exchange. This header is the whole
+   interface. A coupling finds the fix by its style name and asks before every access
 
        int dim;
-       auto *door = static_cast<FluidForceExchange *>(
+       auto *exchange = static_cast<FluidForceExchange *>(
            fix->extract("fluid_force_exchange", dim));
 
-   before every access, and once at first whether both are of one Grainjet, since the layout
-   below belongs to its version:
+   since the arrays may have moved: LIGGGHTS grows and sorts them during a run. The layout
+   belongs to a version of Grainjet. Once, before the first access, a coupling compares
 
        auto *version = static_cast<const char *>(fix->extract("fluid_force_version", dim));
 
-   gives GRAINJET_VERSION of the plugin (host/grainjet_version.h); NULL: it is older than
-   these versions. The arrays may have moved since (LIGGGHTS grows and sorts them
-   during a run). Index = local atom index, 0 <= i < atom->nlocal.
-   All values are of the whole GRAIN in SI units and travel with it between ranks
-   and through restart files.                                                */
+   with GRAINJET_VERSION of host/grainjet_version.h. NULL: the fix is older than that entry.
+
+   Index of all arrays: local atom, 0 <= i < atom->nlocal. Values are in SI units and of the
+   whole GRAIN. They move with it between ranks and are in restart files.
+
+   Two kinds of force are told apart: those whose reaction acts on the fluid, and those
+   without (buoyancy, whose reaction is in the fluid's hydrostatic pressure). Each has its own
+   sum of impulses. A model without reaction, torque or state asks for them by a request;
+   what nobody has requested takes neither memory nor time.                          */
 
 namespace LAMMPS_NS {
+
+// Columns of FluidForceExchange::owner
+enum { OWNER_RANK, OWNER_NUMBER, OWNER_PRESENT };
 
 // What tells one restart file from all others. stamp: -1 if there is none
 struct GrainFile {
@@ -37,51 +43,89 @@ struct GrainFile {
 
 struct FluidForceExchange {
 
-  // ---- written by the coupling, held constant over the DEM steps of an interval
+  // ---- Written by the coupling, constant over the DEM steps of an interval.
+  //      Coefficients are not negative.
 
-  double **fluidVelocity;     // [n][3] m/s, undisturbed fluid velocity at the grain
-  double *dragCoefficient;    // [n] kg/s, drag = dragCoefficient (fluidVelocity - v)
-  double **explicitForce;     // [n][3] N, all other fluid forces (pressure gradient,
-                              // viscous, buoyancy)
+  double **fluidVelocity;     // [n][3] m/s, fluid velocity that the grain sees
+  double *dragCoefficient;    // [n] kg/s, implicit force dragCoefficient (fluidVelocity - v)
+                              // with reaction on the fluid; v: the grain's velocity of the step
+  double **explicitForce;     // [n][3] N, constant force with reaction on the fluid
 
-  // ---- written by the fix
+  // Forces without reaction on the fluid. NULL unless requested (useNonReacting)
+  double *nonReactingCoefficient;    // [n] kg/s, implicit force
+                                     // nonReactingCoefficient (fluidVelocity - v)
+  double **nonReactingForce;         // [n][3] N, constant force
 
-  double **impulse;           // [n][3] N s, momentum the fluid gave to the grain (drag and
-                              // explicitForce, as velocity Verlet really applied them) since
-                              // the coupling last set it to zero
-  double **fluidForce;        // [n][3] N, fluid force of the latest DEM step
+  // Torque. NULL unless requested (useTorque). Its reaction on the fluid is not booked
+  double **fluidSpin;         // [n][3] rad/s, angular velocity of the fluid at the grain
+  double *spinCoefficient;    // [n] kg m2/s, implicit torque spinCoefficient (fluidSpin - omega)
+  double **explicitTorque;    // [n][3] N m, constant torque
 
-  // ---- carried for the coupling, never interpreted by LIGGGHTS
+  // ---- Written by the fix. Impulses are the kicks that velocity Verlet really gave to the
+  //      grain since the coupling last set them to zero
+
+  double **impulse;              // [n][3] N s, of forces with reaction
+  double **nonReactingImpulse;   // [n][3] N s, of forces without; NULL unless requested
+  double **fluidForce;           // [n][3] N, all fluid forces of the latest DEM step
+
+  // ---- Carried for the coupling. LIGGGHTS reads neither
 
   double **startPosition;     // [n][3] m, position at the start of the interval; a grain
                               // inserted since has its insertion position
-  double **host;              // [n][2] fluid rank that holds the grain and its number there;
-                              // (-1, -1) for a grain the coupling has not seen yet
+  double **owner;             // [n][3] the fluid rank that holds the grain's place in the mesh
+                              // (OWNER_RANK, -1: none), the grain's number there
+                              // (OWNER_NUMBER), and of which interval that number is
+                              // (OWNER_PRESENT: 1 of this one; 0 of the one before, since the
+                              // grain has left the mesh). A new grain has -1, -1, 0
 
-  // ---- grains that left the box across a non-periodic boundary on this rank since the
-  //      coupling last called clearLost: what they had received is not lost to the balance
+  // ---- Grains removed on this rank since the coupling last called clearRemoved, from its
+  //      first call of extract on. What they had received belongs to the balance
 
-  struct Lost {
-    int tag;                  // atom ID
-    double position[3];       // m, where it was when it left
-    double startPosition[3];  // m
-    double velocity[3];       // m/s
-    double mass;              // kg
-    double radius;            // m
-    double impulse[3];        // N s
-    double host[2];
+  enum Fate {
+    LEFT_BOX,                 // crossed a fixed (f) boundary of the box
+    DELETED                   // by a fix massflow/mesh with delete_atoms yes
   };
 
-  int nLost;
-  const Lost *lost;
-  void (*clearLost)(FluidForceExchange *);
+  struct Removed {
+    int tag;                      // atom ID
+    double position[3];           // m, where it was when it was removed
+    double startPosition[3];      // m
+    double velocity[3];           // m/s
+    double mass;                  // kg
+    double radius;                // m
+    double impulse[3];            // N s
+    double nonReactingImpulse[3]; // N s, 0 unless requested
+    double owner[3];
+    Fate fate;
+  };
 
-  // ---- continuing
+  int nRemoved;
+  const Removed *removed;
+  void (*clearRemoved)(FluidForceExchange *);
+
+  // ---- Requests: on all ranks alike, after the script has run and before the first set-up
+  //      of steps (before LAMMPS::init). Pointers of this struct are up to date after the call.
+  //      In a continued run the values of the restart file come back
+
+  void (*useNonReacting)(FluidForceExchange *);
+  void (*useTorque)(FluidForceExchange *);
+
+  // State of a model: `size` numbers per grain, which move with it, are sorted and restart.
+  // New grains get `initial` (`size` numbers). Returns an index. The same name and size again
+  // gives the same index. Errors: a name in use with another size, a name of other characters
+  // than letters, digits and _, a size below 1, an initial value that is not finite.
+  int (*addState)(FluidForceExchange *, const char *name, int size, const double *initial);
+
+  // Rows of `size` numbers in one block, row i at size*i. It may move: ask before every
+  // access. NULL is possible on a rank without grains only
+  double *(*state)(FluidForceExchange *, int index);
+
+  // ---- Continuing
 
   GrainFile written;          // the restart file written last
   GrainFile read;             // the restart file that the fix has taken its state from
 
-  void *fix;                  // the owner, for clearLost
+  void *fix;                  // the fix itself, for the functions above
 };
 
 }

@@ -73,7 +73,7 @@ bool RunningState::outside(const double *x) const
    from between two runs if LIGGGHTS has worked out new lists for it, which are not in use.
 ------------------------------------------------------------------------- */
 
-void RunningState::begin_write(FILE *fp)
+std::vector<double> RunningState::begin_write()
 {
   int useful = update->whichflag == 1 && noted_ && listed_.size() == 3u * atom->nlocal, all;
   MPI_Allreduce(&useful, &all, 1, MPI_INT, MPI_MIN, world);
@@ -92,8 +92,8 @@ void RunningState::begin_write(FILE *fp)
   }
 
   // no two files have the same: microseconds of the clock
-  double list[NSAVED];
-  list[VERSION] = 1.0;
+  std::vector<double> list(NSAVED);
+  list[VERSION] = LAYOUT;
   list[IN_RUN] = inRun_;
   list[STAMP] = static_cast<double>(std::chrono::duration_cast<std::chrono::microseconds>(
     std::chrono::system_clock::now().time_since_epoch()).count());
@@ -101,13 +101,9 @@ void RunningState::begin_write(FILE *fp)
   list[GRAINS] = static_cast<double>(atom->natoms);
   list[NEXT_SORT] = static_cast<double>(atom->nextsort);
   list[AGO] = neighbor->ago;
-  MPI_Bcast(list, NSAVED, MPI_DOUBLE, 0, world);
+  MPI_Bcast(list.data(), NSAVED, MPI_DOUBLE, 0, world);
   written_ = GrainFile{list[STAMP], list[STEP], list[GRAINS]};
-
-  if (comm->me) return;
-  const int size = sizeof(list);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), NSAVED, fp);
+  return list;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -162,16 +158,16 @@ int RunningState::pack(int i, double *buf) const
 
 /* ---------------------------------------------------------------------- */
 
-void RunningState::restart(const char *buf)
+const double *RunningState::restart(const double *list)
 {
-  double list[NSAVED];
-  memcpy(list, buf, sizeof(list));
-  if (list[VERSION] != 1.0)
-    error->all(FLERR, "Fix fluid/force: the restart file was written by another version of this fix");
+  if (list[VERSION] != LAYOUT)
+    error->all(FLERR, "Fix fluid/force: the restart file was written with another version of Grainjet, which "
+      "keeps other data in it; continue with the version that wrote it");
   read_ = GrainFile{list[STAMP], list[STEP], list[GRAINS]};
   holding_ = list[IN_RUN] != 0.0;
   nextSort_ = static_cast<bigint>(list[NEXT_SORT]);
   ago_ = static_cast<int>(list[AGO]);
+  return list + NSAVED;
 }
 
 /* ---------------------------------------------------------------------- */

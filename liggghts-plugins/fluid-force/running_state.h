@@ -11,7 +11,6 @@
 
 #include "pointers.h"
 
-#include <cstdio>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -40,13 +39,13 @@ class RunningState : protected Pointers {
 
   void note_lists();               // neighbour lists are being made
   void forget_lists() { noted_ = false; }
-  void begin_write(FILE *);        // global part; until end_write() grains are where they can be read
+  std::vector<double> begin_write();    // global part; until end_write() grains are where they can be read
   void end_write();
   int pack(int i, double *) const;
 
   // ---- reading, and grains that change place meanwhile
 
-  void restart(const char *);
+  const double *restart(const double *);    // returns what follows in the global part
   void unpack(int i, const double *);
   bool holds() const { return holding_; }
   void grow(int nmax);
@@ -76,6 +75,7 @@ class RunningState : protected Pointers {
   // number of the fix massflow/mesh that has marked it (0: none) and place among those
   enum { VALID, LISTED, PRESENT = LISTED + 3, FORCE = PRESENT + 3, TORQUE = FORCE + 3,
          MARKED_BY = TORQUE + 3, PLACE };
+  static constexpr double LAYOUT = 2.0;    // of the fix' data in a file
   enum { VERSION, IN_RUN, STAMP, STEP, GRAINS, NEXT_SORT, AGO, NSAVED };
 
   std::vector<double> listed_;     // positions in the lists, three a grain

@@ -113,9 +113,9 @@ class NoNumber(grainjet.Case):
         """What a coupling writes: a velocity that overflows, and one that is no number."""
         for wind in ("1e300", "nan"):
             script = SCRIPT.format(grains=GRAIN, fix=f"""
-                plugin load {grainjet.ROOT}/lib/tests/fluiddoorplugin.so
+                plugin load {grainjet.ROOT}/lib/tests/exchangeprobeplugin.so
                 fix f all fluid/force coupled
-                fix d all fluid/door 1 {wind} 0 1e-5 0""").replace("run 2", "run 20")
+                fix d all exchange/probe 1 {wind} 0 1e-5 0""").replace("run 2", "run 20")
             result = self.liggghts(script, check=False)
             self.assertFails(result, "Fix fluid/force (ID f): the force on grain 1 is", "the fluid's")
 

@@ -1,7 +1,7 @@
 """fix fluid/force in stock LIGGGHTS on several ranks: momentum is booked to the last digit
 through migration, sorting, restart and loss.
 
-Style coupled is driven by a small plugin that plays the coupling (fix_fluid_door.h).
+Style coupled is driven by a small plugin that plays the coupling (fix_exchange_probe.h).
 """
 # processors: 2
 
@@ -11,7 +11,7 @@ import unittest
 import numpy
 
 import grainjet
-from fluid_case import BOX, DOOR, FluidCase
+from fluid_case import BOX, PROBE, FluidCase
 
 
 class Momentum(FluidCase):
@@ -64,15 +64,15 @@ class Momentum(FluidCase):
             """, ranks)
             self.assertLess(self.impulse_error(self.dump("start.dump"), self.dump("end.dump")), 1e-12)
 
-    def test_balance_with_grains_lost(self):
+    def test_balance_with_grains_removed(self):
         """Momentum at the end + carried away = at the start + given by the fluid, when grains
         leave through fixed boundaries in mid-interval and through a counting mesh."""
         mass = math.pi / 6 * 80e-6 ** 3 * 2950
         for ranks in (1, 2, 4):
             result = self.liggghts(self.head(boundary="f f f") + BOX + self.CLOUD + f"""
-                plugin load {DOOR}
+                plugin load {PROBE}
                 fix f all fluid/force coupled
-                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix d all exchange/probe 10 8.0 300.0 2e-8 1e-9
                 fix i all nve/sphere
                 {self.VARIABLES}
                 run 0
@@ -83,9 +83,9 @@ class Momentum(FluidCase):
             blocks = result.output.split("Loop time")
             start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
             end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
-            self.assertGreater(end["lost"], 100)
-            self.assertEqual(end["atoms"] + end["lost"], start["atoms"])
-            self.assertAlmostEqual(end["lm"] / (end["lost"] * mass), 1, delta=1e-12)
+            self.assertGreater(end["removed"], 100)
+            self.assertEqual(end["atoms"] + end["removed"], start["atoms"])
+            self.assertAlmostEqual(end["lm"] / (end["removed"] * mass), 1, delta=1e-12)
             scale = abs(end["ix"])
             for k in "xyz":
                 balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]
@@ -110,11 +110,11 @@ class Momentum(FluidCase):
         for before, after in ((counter, ""), ("", counter)):
             result = self.liggghts(self.head() + BOX + self.CLOUD + f"""
                 fix m1 all property/global youngsModulus peratomtype 5.e6
-                plugin load {DOOR}
+                plugin load {PROBE}
                 {before}
                 fix f all fluid/force coupled
                 {after}
-                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix d all exchange/probe 10 8.0 300.0 2e-8 1e-9
                 fix i all nve/sphere
                 {self.VARIABLES}
                 run 0
@@ -125,8 +125,8 @@ class Momentum(FluidCase):
             blocks = result.output.split("Loop time")
             start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
             end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
-            self.assertGreater(end["lost"], 10)
-            self.assertEqual(end["atoms"] + end["lost"], start["atoms"])
+            self.assertGreater(end["removed"], 10)
+            self.assertEqual(end["atoms"] + end["removed"], start["atoms"])
             for k in "xyz":
                 balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]
                 self.assertLess(abs(balance) / abs(end["ix"]), 1e-12)

@@ -1,7 +1,7 @@
 """fix fluid/force in stock LIGGGHTS: the state of new, carried and restarted grains, ranks without
 grains, groups, global vector.
 
-Style coupled is driven by a small plugin that plays the coupling (fix_fluid_door.h).
+Style coupled is driven by a small plugin that plays the coupling (fix_exchange_probe.h).
 """
 # processors: 2
 
@@ -10,7 +10,7 @@ import unittest
 
 import numpy
 
-from fluid_case import BOX, DOOR, FluidCase
+from fluid_case import BOX, PROBE, FluidCase
 
 
 class State(FluidCase):
@@ -19,14 +19,14 @@ class State(FluidCase):
         """What the coupling wrote is held over a restart: the run goes on as if it had not
         stopped (a set-up between the runs in both cases), to the last printed digit."""
         columns = ("id vx f_fluidVelocity[1] f_fluidDragCoefficient f_fluidExplicitForce[1] "
-                   "f_fluidStartPosition[1] f_fluidStartPosition[2] f_fluidHost[1] f_fluidHost[2] "
+                   "f_fluidStartPosition[1] f_fluidStartPosition[2] f_fluidOwner[1] f_fluidOwner[2] "
                    "f_fluidImpulse[1]")
         dump = (f"dump d all custom 20 {{}} {columns}\n"
                 'dump_modify d format "%d' + 9 * " %.17g" + '"')
         self.liggghts(self.head() + BOX + self.CLOUD + f"""
-            plugin load {DOOR}
+            plugin load {PROBE}
             fix f all fluid/force coupled
-            fix d all fluid/door 50 8.0 300.0 2e-8 1e-9
+            fix d all exchange/probe 50 8.0 300.0 2e-8 1e-9
             fix i all nve/sphere
             run 120
             unfix d
@@ -59,14 +59,14 @@ class State(FluidCase):
         numpy.testing.assert_array_equal(restarted, through)
 
     def test_new_grains_start_with_a_defined_state(self):
-        """Grains from create_atoms, insert/stream and insert/pack: no force and no host until the
+        """Grains from create_atoms, insert/stream and insert/pack: no force and no owner until the
         coupling has seen them, start position = where they were put; and the balance holds."""
         result = self.liggghts(self.head(boundary="f f f") + BOX + f"""
             fix m1 all property/global youngsModulus peratomtype 5.e6
             fix m2 all property/global poissonsRatio peratomtype 0.3
             fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
             fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
-            plugin load {DOOR}
+            plugin load {PROBE}
             fix f all fluid/force coupled
             create_atoms 1 single 0.003 0.003 0.003 units box
             set group all diameter 80e-6 density 2950
@@ -76,11 +76,11 @@ class State(FluidCase):
             region half block 0.011 0.019 0.001 0.009 0.001 0.009 units box
             fix in all insert/pack seed 86028121 distributiontemplate pd vel constant 1 0 0 &
                 insert_every 37 overlapcheck yes all_in yes particles_in_region 300 region half
-            fix d all fluid/door 50 8.0 300.0 2e-8 1e-9
+            fix d all exchange/probe 50 8.0 300.0 2e-8 1e-9
             fix i all nve/sphere
             {self.VARIABLES}
             dump d all custom 20 new.dump id vx x f_fluidStartPosition[1] f_fluidDragCoefficient &
-                f_fluidHost[1] f_fluidForce[1]
+                f_fluidOwner[1] f_fluidForce[1]
             dump_modify d format "%d %.17g %.17g %.17g %.17g %.17g %.17g"
             run 20
             undump d
@@ -100,7 +100,7 @@ class State(FluidCase):
 
         end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
         mass = math.pi / 6 * 80e-6 ** 3 * 2950
-        inserted = end["atoms"] + end["lost"] - 1
+        inserted = end["atoms"] + end["removed"] - 1
         balance = end["px"] + end["lx"] - inserted * mass * 1 - end["ix"]
         self.assertLess(abs(balance) / end["ix"], 1e-12)
 
@@ -119,7 +119,7 @@ class State(FluidCase):
                 fix m2 all property/global poissonsRatio peratomtype 0.3
                 fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
                 fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
-                plugin load {DOOR}
+                plugin load {PROBE}
                 fix f all fluid/force coupled
                 fix pt all particletemplate/sphere 15485863 atom_type 1 density constant 2950 &
                     radius constant 4e-5 volume_limit 1e-16
@@ -128,11 +128,11 @@ class State(FluidCase):
                 fix in all insert/stream seed 86028157 distributiontemplate pd nparticles 20000 &
                     particlerate 100000 overlapcheck yes all_in no vel constant 2 0 0 &
                     insertion_face face extrude_length 0.001
-                fix d all fluid/door 10 8.0 300.0 2e-8 1e-9
+                fix d all exchange/probe 10 8.0 300.0 2e-8 1e-9
                 fix i all nve/sphere
                 {self.VARIABLES}
                 dump d all custom 30 young.dump id vx x f_fluidStartPosition[1] &
-                    f_fluidDragCoefficient f_fluidHost[1] f_fluidImpulse[1] f_fluidForce[1]
+                    f_fluidDragCoefficient f_fluidOwner[1] f_fluidImpulse[1] f_fluidForce[1]
                 dump_modify d format "%d{7 * ' %.17g'}"
                 run 30
                 undump d
@@ -147,7 +147,7 @@ class State(FluidCase):
             end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
             mass = math.pi / 6 * 80e-6 ** 3 * 2950
             self.assertGreater(end["ix"], 0.1 * end["px"])
-            balance = end["px"] + end["lx"] - (end["atoms"] + end["lost"]) * mass * 2 - end["ix"]
+            balance = end["px"] + end["lx"] - (end["atoms"] + end["removed"]) * mass * 2 - end["ix"]
             self.assertLess(abs(balance) / end["ix"], 1e-12)
 
     def test_ranks_without_grains(self):

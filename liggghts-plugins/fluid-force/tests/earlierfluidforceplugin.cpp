@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-/* fix fluid/force as an earlier Grainjet had it: a door whose version cannot be asked for. It
+/* fix fluid/force as an earlier Grainjet had it: an exchange whose version cannot be asked for. It
    passes the loader, as it would if it were compiled into LIGGGHTS itself. */
 
 #include "loader/liggghtsplugin.h"
@@ -24,11 +24,11 @@ class EarlierFluidForce : public Fix {
   void *extract(const char *what, int &dim)
   {
     dim = 0;
-    return strcmp(what, "fluid_force_exchange") == 0 ? door_ : nullptr;
+    return strcmp(what, "fluid_force_exchange") == 0 ? exchange_ : nullptr;
   }
 
  private:
-  double door_[4] = {};
+  double exchange_[4] = {};
 };
 
 Fix *fluid_force(LAMMPS *lmp, int narg, char **arg)
@@ -41,7 +41,7 @@ Fix *fluid_force(LAMMPS *lmp, int narg, char **arg)
 extern "C" const liggghtsplugin_description *liggghtsplugin_init()
 {
   static const liggghtsplugin_style styles[] = {
-    {"fix", "fluid/force", "a door without a version", "The Grainjet developers",
+    {"fix", "fluid/force", "an exchange without a version", "The Grainjet developers",
      reinterpret_cast<void (*)()>(fluid_force)}
   };
   static const liggghtsplugin_description description = {LIGGGHTSPLUGIN_HOST, 1, styles};

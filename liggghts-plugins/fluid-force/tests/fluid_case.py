@@ -4,7 +4,7 @@ import numpy
 
 import grainjet
 
-DOOR = grainjet.ROOT / "lib" / "tests" / "fluiddoorplugin.so"
+PROBE = grainjet.ROOT / "lib" / "tests" / "exchangeprobeplugin.so"
 
 HEAD = """
     plugin load fluidforceplugin.so
@@ -68,9 +68,9 @@ class FluidCase(grainjet.Case):
         return abs(last[:, 5:8] - given).max() / abs(given).max()
 
     PRINT = "\n".join(f'print "{name} = ${{{name}}}"' for name in
-                      ("px", "py", "pz", "ix", "iy", "iz", "lost", "lx", "ly", "lz", "lm",
+                      ("px", "py", "pz", "ix", "iy", "iz", "removed", "lx", "ly", "lz", "lm",
                        "fresh", "far", "fate", "atoms"))
-    NAMES = ["px", "py", "pz", "ix", "iy", "iz", "lost", "lx", "ly", "lz", "lm", "fresh", "far",
+    NAMES = ["px", "py", "pz", "ix", "iy", "iz", "removed", "lx", "ly", "lz", "lm", "fresh", "far",
              "fate", "atoms"]
     VARIABLES = """
         variable mvx atom mass*vx
@@ -83,7 +83,7 @@ class FluidCase(grainjet.Case):
         variable ix equal f_d[1]
         variable iy equal f_d[2]
         variable iz equal f_d[3]
-        variable lost equal f_d[4]
+        variable removed equal f_d[4]
         variable lx equal f_d[5]
         variable ly equal f_d[6]
         variable lz equal f_d[7]

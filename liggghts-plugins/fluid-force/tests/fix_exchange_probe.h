@@ -4,8 +4,8 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_FIX_FLUID_DOOR_H
-#define LMP_FIX_FLUID_DOOR_H
+#ifndef LMP_FIX_EXCHANGE_PROBE_H
+#define LMP_FIX_EXCHANGE_PROBE_H
 
 #include "fix.h"
 
@@ -13,20 +13,20 @@ namespace LAMMPS_NS {
 
 /* Plays the coupling for the tests of fix fluid/force coupled:
 
-     fix ID all fluid/door N ux shear b fx
+     fix ID all exchange/probe N ux shear b fx
 
    Every N steps it takes the impulses through the exchange header, and then writes the
    fluid velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force
    (fx, 0, 0). Global vector:
-     1-3 impulse taken since the start, of present and lost grains
-     4   lost grains      5-7 their momentum      8 their mass
-     9   grains without host at the last exchange (new ones)
+     1-3 impulse taken since the start, of present and removed grains
+     4   removed grains      5-7 their momentum      8 their mass
+     9   grains without owner at the last exchange (new ones)
     10   largest distance from the start position at the last exchange
-    11   largest distance between end and start position of a lost grain            */
-class FixFluidDoor : public Fix {
+    11   largest distance between end and start position of a removed grain            */
+class FixExchangeProbe : public Fix {
  public:
 
-  FixFluidDoor(class LAMMPS *, int, char **);
+  FixExchangeProbe(class LAMMPS *, int, char **);
   int setmask();
   void init();
   void end_of_step();

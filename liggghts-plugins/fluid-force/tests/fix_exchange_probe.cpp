@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_fluid_door.h"
+#include "fix_exchange_probe.h"
 
 #include "fluid-force/fluid_force_exchange.h"
 
@@ -22,10 +22,10 @@ using namespace FixConst;
 
 /* ---------------------------------------------------------------------- */
 
-FixFluidDoor::FixFluidDoor(LAMMPS *lmp, int narg, char **arg) :
+FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), fluid_(NULL), mine_()
 {
-  if (narg != 8) error->all(FLERR, "Illegal fix fluid/door command");
+  if (narg != 8) error->all(FLERR, "Illegal fix exchange/probe command");
   nevery = atoi(arg[3]);
   wind_ = atof(arg[4]);
   shear_ = atof(arg[5]);
@@ -38,35 +38,35 @@ FixFluidDoor::FixFluidDoor(LAMMPS *lmp, int narg, char **arg) :
 
 /* ---------------------------------------------------------------------- */
 
-int FixFluidDoor::setmask()
+int FixExchangeProbe::setmask()
 {
   return END_OF_STEP;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixFluidDoor::init()
+void FixExchangeProbe::init()
 {
   fluid_ = modify->find_fix_style("fluid/force", 0);
   int dim;
   if (!fluid_ || !fluid_->extract("fluid_force_exchange", dim))
-    error->all(FLERR, "Fix fluid/door: no door");
+    error->all(FLERR, "Fix exchange/probe: no fix fluid/force coupled");
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixFluidDoor::end_of_step()
+void FixExchangeProbe::end_of_step()
 {
   int dim;
-  auto *door = static_cast<FluidForceExchange *>(fluid_->extract("fluid_force_exchange", dim));
+  auto *exchange = static_cast<FluidForceExchange *>(fluid_->extract("fluid_force_exchange", dim));
 
   const auto distance = [](const double *p, const double *q) {
     return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
       + (p[2] - q[2]) * (p[2] - q[2]));
   };
 
-  for (int i = 0; i < door->nLost; i++) {
-    const FluidForceExchange::Lost &grain = door->lost[i];
+  for (int i = 0; i < exchange->nRemoved; i++) {
+    const FluidForceExchange::Removed &grain = exchange->removed[i];
     mine_[3] += 1;
     for (int k = 0; k < 3; k++) {
       mine_[k] += grain.impulse[k];
@@ -75,29 +75,30 @@ void FixFluidDoor::end_of_step()
     mine_[7] += grain.mass;
     mine_[10] = std::max(mine_[10], distance(grain.position, grain.startPosition));
   }
-  door->clearLost(door);
-  if (door->nLost != 0) error->one(FLERR, "Fix fluid/door: lost grains not cleared");
+  exchange->clearRemoved(exchange);
+  if (exchange->nRemoved != 0) error->one(FLERR, "Fix exchange/probe: removed grains not cleared");
 
   mine_[8] = mine_[9] = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (door->host[i][0] < 0) mine_[8] += 1;
-    mine_[9] = std::max(mine_[9], distance(atom->x[i], door->startPosition[i]));
+    if (exchange->owner[i][0] < 0) mine_[8] += 1;
+    mine_[9] = std::max(mine_[9], distance(atom->x[i], exchange->startPosition[i]));
     for (int k = 0; k < 3; k++) {
-      mine_[k] += door->impulse[i][k];
-      door->impulse[i][k] = 0;
-      door->startPosition[i][k] = atom->x[i][k];
-      door->fluidVelocity[i][k] = k == 0 ? wind_ + shear_ * atom->x[i][1] : 0;
-      door->explicitForce[i][k] = k == 0 ? explicit_ : 0;
+      mine_[k] += exchange->impulse[i][k];
+      exchange->impulse[i][k] = 0;
+      exchange->startPosition[i][k] = atom->x[i][k];
+      exchange->fluidVelocity[i][k] = k == 0 ? wind_ + shear_ * atom->x[i][1] : 0;
+      exchange->explicitForce[i][k] = k == 0 ? explicit_ : 0;
     }
-    door->dragCoefficient[i] = coefficient_;
-    door->host[i][0] = comm->me;
-    door->host[i][1] = i;
+    exchange->dragCoefficient[i] = coefficient_;
+    exchange->owner[i][OWNER_RANK] = comm->me;
+    exchange->owner[i][OWNER_NUMBER] = i;
+    exchange->owner[i][OWNER_PRESENT] = 1;
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-double FixFluidDoor::compute_vector(int n)
+double FixExchangeProbe::compute_vector(int n)
 {
   double value;
   MPI_Allreduce(&mine_[n], &value, 1, MPI_DOUBLE, n < SUMS ? MPI_SUM : MPI_MAX, world);

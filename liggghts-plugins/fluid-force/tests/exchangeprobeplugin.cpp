@@ -6,20 +6,20 @@
 
 #include "loader/liggghtsplugin.h"
 
-#include "fix_fluid_door.h"
+#include "fix_exchange_probe.h"
 
 using namespace LAMMPS_NS;
 
-static Fix *fluid_door(LAMMPS *lmp, int narg, char **arg)
+static Fix *exchange_probe(LAMMPS *lmp, int narg, char **arg)
 {
-  return new FixFluidDoor(lmp, narg, arg);
+  return new FixExchangeProbe(lmp, narg, arg);
 }
 
 extern "C" const liggghtsplugin_description *liggghtsplugin_init()
 {
   static const liggghtsplugin_style styles[] = {
-    {"fix", "fluid/door", "plays the coupling for tests of fix fluid/force",
-     "The Grainjet developers", reinterpret_cast<void (*)()>(fluid_door)}
+    {"fix", "exchange/probe", "plays the coupling for tests of fix fluid/force",
+     "The Grainjet developers", reinterpret_cast<void (*)()>(exchange_probe)}
   };
   static const liggghtsplugin_description description = {LIGGGHTSPLUGIN_HOST, 1, styles};
   return &description;

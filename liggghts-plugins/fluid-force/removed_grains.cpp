@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "lost_grains.h"
+#include "removed_grains.h"
 #include "marked_grains.h"
 
 #include "host/expose_member.h"
@@ -51,11 +51,11 @@ std::vector<int> *grainjet::marked_tags(Fix *fix)
 
 /* ---------------------------------------------------------------------- */
 
-LostGrains::LostGrains(LAMMPS *lmp) : Pointers(lmp) {}
+RemovedGrains::RemovedGrains(LAMMPS *lmp) : Pointers(lmp) {}
 
 /* ---------------------------------------------------------------------- */
 
-void LostGrains::act_first(int ifix)
+void RemovedGrains::act_first(int ifix)
 {
   int *first = modify->*member(grainjet::PreExchangeList());
   int *last = first + modify->*member(grainjet::PreExchangeCount());
@@ -65,7 +65,7 @@ void LostGrains::act_first(int ifix)
 
 /* ---------------------------------------------------------------------- */
 
-bool LostGrains::outside(const double *x) const
+bool RemovedGrains::outside(const double *x) const
 {
   const int FIXED = 1;    // of Domain::boundary; shrink-wrapped faces move instead
   for (int dim = 0; dim < 3; dim++) {
@@ -75,43 +75,59 @@ bool LostGrains::outside(const double *x) const
   return false;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   A grain may be marked by two fixes.
+------------------------------------------------------------------------- */
 
-void LostGrains::collect_marked(const FluidForceExchange &state, double halfKick)
+void RemovedGrains::find_marked()
 {
+  marked_.assign(atom->nlocal, 0);
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
     const std::vector<int> *tags = grainjet::marked_tags(modify->fix[ifix]);
     if (!tags) continue;
     for (int tag : *tags) {
       const int i = atom->map(tag);
-      if (i >= 0 && i < atom->nlocal && !outside(atom->x[i])) record(i, state, halfKick);
+      if (i >= 0 && i < atom->nlocal) marked_[i] = 1;
     }
   }
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   A marked grain beyond the boundary is deleted before the exchange between ranks drops it.
+------------------------------------------------------------------------- */
 
-void LostGrains::collect_outside(const FluidForceExchange &state, double halfKick)
+void RemovedGrains::collect(const FluidForceExchange &state, bool deleting, double halfKick,
+  const double *const *nonReacting)
 {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (outside(atom->x[i])) record(i, state, halfKick);
+  if (deleting) find_marked();
+  else marked_.assign(atom->nlocal, 0);
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!marked_[i] && !outside(atom->x[i])) continue;
+    record(i, marked_[i] ? FluidForceExchange::DELETED : FluidForceExchange::LEFT_BOX, state,
+      halfKick, nonReacting ? nonReacting[i] : NULL);
+  }
 }
 
 /* ---------------------------------------------------------------------- */
 
-void LostGrains::record(int i, const FluidForceExchange &state, double halfKick)
+void RemovedGrains::record(int i, FluidForceExchange::Fate fate, const FluidForceExchange &state,
+  double halfKick, const double *nonReacting)
 {
-  FluidForceExchange::Lost grain;
+  FluidForceExchange::Removed grain;
   grain.tag = atom->tag[i];
   grain.mass = atom->rmass[i];
   grain.radius = atom->radius[i];
+  grain.fate = fate;
   for (int dim = 0; dim < 3; dim++) {
     grain.position[dim] = atom->x[i][dim];
     grain.startPosition[dim] = state.startPosition[i][dim];
     grain.velocity[dim] = atom->v[i][dim];
-    grain.impulse[dim] = state.impulse[i][dim] + halfKick * state.fluidForce[i][dim];
+    grain.owner[dim] = state.owner[i][dim];
+    const double without = nonReacting ? nonReacting[dim] : 0.0;
+    grain.impulse[dim] = state.impulse[i][dim] + halfKick * (state.fluidForce[i][dim] - without);
+    grain.nonReactingImpulse[dim] = nonReacting
+      ? state.nonReactingImpulse[i][dim] + halfKick * without : 0.0;
   }
-  grain.host[0] = state.host[i][0];
-  grain.host[1] = state.host[i][1];
   grains_.push_back(grain);
 }

@@ -1,0 +1,54 @@
+/* ----------------------------------------------------------------------
+   Grainjet: coarse-grained CFD-DEM for particle-laden jets
+   Copyright (C) 2026 The Grainjet developers
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#ifndef GRAINJET_REMOVED_GRAINS_H
+#define GRAINJET_REMOVED_GRAINS_H
+
+#include "fluid_force_exchange.h"
+
+#include "pointers.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/* Grains that LIGGGHTS is about to remove on this rank, kept for the momentum and number
+   balance of a coupling: those that a fix massflow/mesh with delete_atoms yes has marked, and
+   those beyond a fixed ('f') boundary, which the exchange between ranks drops. Grains out of
+   the group of the fix are kept, too, since a coupling counts all.                    */
+class RemovedGrains : protected Pointers {
+ public:
+
+  explicit RemovedGrains(class LAMMPS *);
+
+  // Moves fix `ifix` to the front of the list of pre_exchange fixes, so that it sees the
+  // grains before another fix deletes them. To be called in init() of that fix.
+  void act_first(int ifix);
+
+  // Books the grains that are removed now. deleting: fixes massflow/mesh delete theirs, too,
+  // which they do in a step that makes lists but not in a set-up. halfKick: time (s) during
+  // which grains have felt the fluid force since their impulse was last updated. nonReacting:
+  // force (N) without reaction of the latest step, NULL if none.
+  void collect(const FluidForceExchange &, bool deleting, double halfKick,
+    const double *const *nonReacting);
+
+  void clear() { grains_.clear(); }
+  const std::vector<FluidForceExchange::Removed> &grains() const { return grains_; }
+
+ private:
+
+  std::vector<FluidForceExchange::Removed> grains_;
+  std::vector<char> marked_;    // per grain, while collecting
+
+  bool outside(const double *) const;
+  void find_marked();
+  void record(int, FluidForceExchange::Fate, const FluidForceExchange &, double halfKick,
+    const double *nonReacting);
+};
+
+}
+
+#endif
