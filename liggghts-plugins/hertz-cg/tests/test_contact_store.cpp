@@ -18,13 +18,15 @@ namespace {
 
 Contact contact_of(double k)
 {
-  return {{k, 2 * k, 3 * k}, {4 * k, 5 * k, 6 * k}, {7 * k, 8 * k, 9 * k}, {10 * k, 11 * k, 12 * k}};
+  return {{k, 2 * k, 3 * k}, {4 * k, 5 * k, 6 * k}, {7 * k, 8 * k, 9 * k}, {10 * k, 11 * k, 12 * k},
+    {13 * k, 14 * k, 15 * k}};
 }
 
 void expect_equal(const Contact &a, const Contact &b)
 {
-  const contact::Vector3 va[] = {a.spring, a.force, a.twist, a.rolling}, vb[] = {b.spring, b.force, b.twist, b.rolling};
-  for (int n = 0; n < 4; ++n) {
+  const contact::Vector3 va[] = {a.spring, a.force, a.twist, a.rolling, a.rollingSpring},
+    vb[] = {b.spring, b.force, b.twist, b.rolling, b.rollingSpring};
+  for (int n = 0; n < 5; ++n) {
     EXPECT_EQ(va[n].x, vb[n].x);
     EXPECT_EQ(va[n].y, vb[n].y);
     EXPECT_EQ(va[n].z, vb[n].z);

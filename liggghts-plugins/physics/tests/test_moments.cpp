@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -19,21 +21,23 @@ struct Exact {
   double mean, variance, skewness;
 };
 
-// Two passes in 113-bit arithmetic: 17 decimal digits more than the accumulator has
+// Two passes in long double, over differences to the first sample, so that an offset costs no
+// digit. Rounding is relative to these: n eps / 2 at worst, 3e-15 for 1e5 samples
 Exact exact(const std::vector<double> &samples)
 {
-  using Wide = __float128;
-  const Wide n = samples.size();
+  using Wide = long double;
+  static_assert(std::numeric_limits<Wide>::digits >= 64, "long double holds no more than double");
+  const Wide n = samples.size(), start = samples.front();
   Wide sum = 0, m2 = 0, m3 = 0;
-  for (double x : samples) sum += x;
+  for (double x : samples) sum += x - start;
   const Wide mean = sum / n;
   for (double x : samples) {
-    const Wide d = Wide(x) - mean;
+    const Wide d = (x - start) - mean;
     m2 += d * d;
     m3 += d * d * d;
   }
   const double square = double(m2 / n);
-  return {double(mean), double(m2 / (n - 1)), double(m3 / n) / (square * std::sqrt(square))};
+  return {double(start + mean), double(m2 / (n - 1)), double(m3 / n) / (square * std::sqrt(square))};
 }
 
 Moments accumulated(const std::vector<double> &samples)

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""Compiles all sources with a compiler, label size or processor other than the build's; nothing is kept.
+
+    compile_check.py plugins  --compiler clang++      the plugins, those for tests, and the unit tests
+    compile_check.py plugins  --aarch64               the same for aarch64, by Debian's cross compiler
+    compile_check.py openfoam --compiler clang++      the OpenFOAM libraries
+    compile_check.py openfoam --label 64              the same with 64-bit labels
+
+A warning counts as an error. Exit code 0: all compile without one; 1: what does not is printed.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TOOLCHAIN = ROOT / "validation/compilers/aarch64.cmake"
+LIBRARIES = [folder.parent.name for folder in sorted((ROOT / "openfoam-libs").glob("*/Make"))]
+
+
+def output(command, **settings):
+    """Exit code and all that a command prints."""
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, errors="replace", **settings)
+    return done.returncode, done.stdout
+
+
+def without_object(command):
+    """A compile command that generates code, unoptimised, and drops it."""
+    words = shlex.split(command)
+    del words[words.index("-o"):words.index("-o") + 2]
+    return [*words, "-Werror", "-O0", "-S", "-o", os.devnull]
+
+
+def check_plugins(folder, compiler, aarch64):
+    """The problems of each source of the CMake project, as printed; none if all compile."""
+    choice = f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}" if aarch64 else f"-DCMAKE_CXX_COMPILER={compiler}"
+    code, printed = output(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                            "-DPython3_EXECUTABLE=/usr/bin/python3", choice])
+    if code:
+        return [f"the plugins cannot be configured:\n{printed}"]
+    entries = json.loads((folder / "compile_commands.json").read_text())
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = pool.map(lambda entry: output(without_object(entry["command"]), cwd=entry["directory"]), entries)
+        problems = [f"{entry['file']}:\n{printed}" for entry, (code, printed) in zip(entries, results) if code]
+    print(f"{len(entries)} sources of the plugins and their tests")
+    return problems
+
+
+# After openfoam-environment: another label or precision, and a compiler that stops before any object
+WMAKE = """
+. openfoam-libs/tools/openfoam-environment
+export WM_LABEL_SIZE=$label WM_LABEL_OPTION=Int$label WM_PRECISION_OPTION=$precision
+export WM_OPTIONS=$WM_ARCH$WM_COMPILER$WM_PRECISION_OPTION$WM_LABEL_OPTION$WM_COMPILE_OPTION
+export GRAINJET_CXX="$GRAINJET_CXX -Werror -fsyntax-only" MAKEFLAGS="-k -j$(nproc)"
+cd "openfoam-libs/$library" && wmakeLnInclude -s . && wmake -s objects
+"""
+
+
+def check_openfoam(folder, compiler, label, precision="DP", first_only=False):
+    """The problems of each OpenFOAM library, as printed; none if all sources compile."""
+    products = shutil.ignore_patterns("lnInclude", "linux*", "__pycache__", "tests")
+    for part in ("openfoam-libs", "liggghts-plugins"):
+        shutil.copytree(ROOT / part, folder / part, ignore=products)
+    problems = []
+    for name in LIBRARIES:
+        files = folder / "openfoam-libs" / name / "Make/files"
+        sources = [line for line in files.read_text().split() if line.endswith(".C")]
+        if first_only:
+            sources = sources[:1]
+            files.write_text(f"{sources[0]}\n\nLIB = $(FOAM_USER_LIBBIN)/lib{name}\n")
+        choice = {"label": str(label), "precision": precision, "library": name, **({"CXX": compiler} if compiler else {})}
+        code, printed = output(["bash", "-c", WMAKE], cwd=folder, env={**os.environ, **choice})
+        print(f"{len(sources)} sources of {name}")
+        # without warnings wmake names each file it works on, and no more
+        if code or "warning" in printed or printed.count("Ctoo: ") != len(sources):
+            problems.append(f"{name}:\n{printed}")
+    return problems
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("part", choices=("plugins", "openfoam"))
+    parser.add_argument("--compiler", help="g++ or clang++, with a version or path as you like")
+    parser.add_argument("--aarch64", action="store_true", help="plugins: the cross compiler for aarch64")
+    parser.add_argument("--label", type=int, choices=(32, 64), default=32, help="openfoam: bits of a label")
+    parser.add_argument("--precision", choices=("DP", "SP", "SPDP"), default="DP",
+                        help="openfoam: of its numbers; SP and SPDP shall be refused")
+    parser.add_argument("--first", action="store_true", help="openfoam: the first source of each library only")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix="grainjet-") as folder:
+        folder = pathlib.Path(folder)
+        if arguments.part == "plugins":
+            problems = check_plugins(folder, arguments.compiler or "g++", arguments.aarch64)
+        else:
+            problems = check_openfoam(folder, arguments.compiler, arguments.label, arguments.precision, arguments.first)
+    print(*problems, sep="\n")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
