@@ -91,7 +91,7 @@ class Interposition(LoaderCase):
 
     def test_another_library_before_the_loader(self):
         (self.folder / "in.test").write_text("plugin list\n")
-        first, loader = PLUGINS / "interposinglibrary.so", grainjet.ROOT / "lib/liggghtsloader.so"
+        first, loader = PLUGINS / "interposingcreate.so", grainjet.ROOT / "lib/liggghtsloader.so"
         for ranks in (0, 2):
             result = grainjet.run([*grainjet.mpirun(ranks), "env", f"LD_PRELOAD={first}:{loader}", "liggghts", "-in", "in.test"],
                                   self.folder, timeout=60)

@@ -4,23 +4,12 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-/* Another library that defines functions of LIGGGHTS, as a tool for debugging may. Each function
-   ends the program: the tests want an error before one of them is called.                 */
+/* Another library that defines a function of LIGGGHTS (SYMBOL is its name for the linker), as a
+   tool for debugging may. It ends the program: the tests want an error before it is called. */
 
 #include <stdlib.h>
 
-extern "C" {
-
-// LAMMPS_NS::LAMMPS::create(), which the loader takes the place of
-void _ZN9LAMMPS_NS6LAMMPS6createEv()
+extern "C" void SYMBOL()
 {
   abort();
-}
-
-// LAMMPS_NS::Error::all(const char *, int, const char *), of the coupling
-void _ZN9LAMMPS_NS5Error3allEPKciS2_()
-{
-  abort();
-}
-
 }

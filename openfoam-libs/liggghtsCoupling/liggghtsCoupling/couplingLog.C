@@ -257,7 +257,17 @@ void Foam::couplingLog::write(const step& values)
         << ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
-        << " %, left " << label(secondsLeft + 0.5) << " s" << nl;
+        << " %, left ";
+    if (secondsLeft < labelMax)
+    {
+        Info<< label(secondsLeft + 0.5) << " s";
+    }
+    else
+    {
+        // stopAt nextWrite and the like have no time at which the run ends
+        Info<< "unknown";
+    }
+    Info<< nl;
 
     if (volumeCut > 0)
     {

@@ -256,10 +256,11 @@ void warn
         std::fprintf(logfile, "WARNING: %s (%s:%d)\n", text, file, line);
     }
 
+    const char* slash = std::strrchr(file, '/');
     Foam::sessionWarnings::add
     (
         text,
-        std::string(file) + ':' + std::to_string(line),
+        std::string(slash ? slash + 1 : file) + ':' + std::to_string(line),
         Foam::sessionPlace::inScript ? place(lmp->input, lmp->infile) : ""
     );
 }
