@@ -8,6 +8,8 @@
 #include "surfaceFields.H"
 #include "volFields.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -24,6 +26,13 @@ void printProvided(const Foam::scalar value)
     {
         Foam::Info<< "unknown";
     }
+}
+
+
+// OpenFOAM prints whole numbers as labels, which may have 32 bits
+std::string digits(const Foam::scalar count)
+{
+    return std::to_string(std::llround(count));
 }
 
 } // End anonymous namespace
@@ -290,8 +299,8 @@ void Foam::couplingLog::write(const step& values)
         }
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << couplingSeconds
-            << tab << travelling << tab << std::int64_t(sums[2])
-            << tab << std::int64_t(numbers[2])
+            << tab << travelling << tab << digits(sums[2]).c_str()
+            << tab << digits(numbers[2]).c_str()
             << endl;
     }
     ownSeconds_ = clock_.elapsedTime() - now;
