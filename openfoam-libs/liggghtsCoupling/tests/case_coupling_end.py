@@ -2,9 +2,12 @@
 and what fixes have found is on disk with each restart file."""
 # processors: 2
 
+import contextlib
 import csv
+import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -31,12 +34,17 @@ GRAINS = box.grains([(0.01, 0.01, 0.0008), (0.0115, 0.01, 0.0014), (0.005, 0.015
 
 class End(grainjet.Case):
 
-    def case(self, name, plate=PLATE.format(z=0), fixes="", end="", **fluid):
+    def case(self, name, plate=PLATE.format(z=0), fixes="", end="", modifiable="no", tables="", **fluid):
         folder = self.folder / name
+        (folder / tables).mkdir(parents=True)
         box.write(folder, **{"walls": True, "cells": "4 4 8", "steps": 33, "write_every": 100000, **fluid})
         box.script(folder, grains=GRAINS, end=end, boundary="f f f", box="0 0.02 0 0.02 -0.001 0.04", plugins=PLUGINS,
-                   fixes="fix c all hertz/cg tangential history\n" + plate + fixes)
+                   fixes="fix c all hertz/cg tangential history\n" + plate.replace("plate.csv", tables + "plate.csv") + fixes)
         box.fv_options(folder)
+        control = folder / "system/controlDict"
+        text = control.read_text()
+        self.assertIn("runTimeModifiable no", text)
+        control.write_text(text.replace("runTimeModifiable no", f"runTimeModifiable {modifiable}"))
         for command in ("blockMesh", "decomposePar"):
             self.foam(command, folder)
         return folder
@@ -86,23 +94,75 @@ class End(grainjet.Case):
                 self.assertLess(last, 0.0045)
                 self.assertEnded(folder, output, last)
 
+    @contextlib.contextmanager
+    def running(self, folder, ranks=0):
+        """A run without a foreseen end, and its log; ended here if nothing else has done it."""
+        parallel = ["-parallel"] if ranks else []
+        with open(folder / "log", "w") as log:
+            process = subprocess.Popen([*grainjet.mpirun(ranks), "pimpleFoam", *parallel], cwd=folder, stdout=log,
+                                       stderr=subprocess.STDOUT, env={**grainjet.ENV, "PWD": str(folder)}, start_new_session=True)
+            try:
+                yield process
+            finally:
+                if process.poll() is None:
+                    os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+
+    def until(self, process, condition):
+        """Wait for a running process to have done something."""
+        end = time.monotonic() + 60
+        while not condition():
+            self.assertIsNone(process.poll(), "the run has ended before")
+            self.assertLess(time.monotonic(), end, "not within a minute")
+            time.sleep(0.01)
+
+    def until_step(self, process, folder, value):
+        self.until(process, lambda: f"\nTime = {value}\n" in (folder / "log").read_text())
+
     def test_signal_that_asks_to_stop(self):
         """OpenFOAM's stopAtWriteNowSignal: the run writes and ends."""
-        folder = self.case("signal", steps=1000000, control=f"OptimisationSwitches {{ stopAtWriteNowSignal {int(signal.SIGUSR2)}; }}")
-        with open(folder / "log", "w") as log:
-            process = subprocess.Popen(["pimpleFoam"], cwd=folder, stdout=log, stderr=subprocess.STDOUT,
-                                       env={**grainjet.ENV, "PWD": str(folder)})
-            try:
-                self.until(process, lambda: "Time = 0.005\n" in (folder / "log").read_text())
-                process.send_signal(signal.SIGUSR2)
-                self.assertEqual(process.wait(60), 0, (folder / "log").read_text()[-2000:])
-            finally:
-                process.kill()
-                process.wait()
+        folder = self.case("signal", steps=1000000,
+                           control=f"OptimisationSwitches {{ stopAtWriteNowSignal {int(signal.SIGUSR2)}; }}")
+        with self.running(folder) as process:
+            self.until_step(process, folder, 0.005)
+            process.send_signal(signal.SIGUSR2)
+            code = process.wait(60)
         output = (folder / "log").read_text()
+        self.assertEqual(code, 0, output[-2000:])
         last = float(re.findall(r"\nTime = (\S+)", output)[-1])
         self.assertTrue((folder / f"{last:.10g}" / "uniform/liggghts.restart").exists())
         self.assertEnded(folder, output, last)
+
+    def stopped_without_writing(self, folder, ranks, before=lambda: None):
+        """Exit code and output of a run that controlDict stops by noWriteNow in its course."""
+        control = folder / "system/controlDict"
+        with self.running(folder, ranks) as process:
+            self.until_step(process, folder, 0.005)
+            before()
+            control.write_text(control.read_text().replace("stopAt endTime", "stopAt noWriteNow"))
+            # OpenFOAM takes a file for changed if it is newer by more than ten seconds
+            os.utime(control, (time.time() + 60, time.time() + 60))
+            code = process.wait(60)
+        return code, (folder / "log").read_text()
+
+    def test_stop_without_writing(self):
+        for ranks in (0, 2):
+            folder = self.case(f"stop{ranks}", steps=1000000, modifiable="yes")
+            code, output = self.stopped_without_writing(folder, ranks)
+            self.assertEqual(code, 0, output[-2000:])
+            last = re.findall(r"\nTime = (\S+)", output)[-1]
+            self.assertFalse((folder / ("processor0" if ranks else ".") / last).exists())
+            self.assertEnded(folder, output, float(last))
+
+    def test_a_table_that_cannot_be_written_at_the_end(self):
+        """Its folder has vanished meanwhile: an error as any other."""
+        for ranks in (0, 2):
+            folder = self.case(f"vanished{ranks}", steps=1000000, modifiable="yes", tables="tables/")
+            code, output = self.stopped_without_writing(folder, ranks, lambda: shutil.rmtree(folder / "tables"))
+            self.assertEqual(code, 1, output[-2000:])
+            message = output[output.index("FOAM FATAL"):]
+            self.assertIn("Fix plate/stats (ID p): cannot write file 'tables/plate.csv.new'", message)
+            self.assertNotIn("Warnings of LIGGGHTS", output)
 
     def test_plate_beside_its_wall(self):
         # the fix looks for such grains when neighbour lists are made
@@ -125,27 +185,13 @@ class End(grainjet.Case):
             self.assertAlmostEqual(float(self.rows(folder)[0]["time"]), 0.002, delta=1e-12)
             self.assertEqual(len(self.rows(folder, "events.csv")), 2)
 
-    def until(self, process, condition):
-        """Wait for a running process to have done something."""
-        end = time.monotonic() + 60
-        while not condition():
-            self.assertIsNone(process.poll(), "the run has ended before")
-            self.assertLess(time.monotonic(), end, "not within a minute")
-            time.sleep(0.01)
-
     def test_killed_run(self):
         """Whenever a run is killed: table, events and log are as new as the restart file."""
         for ranks in (0, 2):
             folder = self.case(f"killed{ranks}", write_every=20, steps=1000000, end="thermo 200")
-            parallel = ["-parallel"] if ranks else []
-            process = subprocess.Popen([*grainjet.mpirun(ranks), "pimpleFoam", *parallel], cwd=folder, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL, env={**grainjet.ENV, "PWD": str(folder)}, start_new_session=True)
             first = folder / ("processor0" if ranks else ".") / "0.002/uniform/liggghts.restart"
-            try:
+            with self.running(folder, ranks) as process:
                 self.until(process, first.exists)
-            finally:
-                grainjet.os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
             written = float(self.rows(folder)[0]["time"])
             self.assertGreaterEqual(written, 0.002 * (1 - 1e-9))
             self.assertAlmostEqual(written / 0.002, round(written / 0.002), delta=1e-6)
