@@ -48,6 +48,13 @@ class Host(bad_case.BadCase):
         library = host_library.installed()
         self.refused(f"from {library} and not from {COUPLING}", "LD_PRELOAD", LD_PRELOAD=library)
 
+    def test_liggghts_is_an_earlier_entry_of_libs(self):
+        library = host_library.installed()
+        for ranks in (0, 2):
+            folder = self.fresh()
+            self.change(folder, "system/controlDict", ('libs ("lib', f'libs ("{library}" "lib'))
+            self.assertRefused(folder, f"from {library} and not from {COUPLING}", "libs in system/controlDict", ranks=ranks)
+
     def test_liggghts_calls_itself(self):
         library = host_library.copy(self.folder / "symbolic", host_library.symbolic)
         self.refused("calls its own functions", "-Bsymbolic",
