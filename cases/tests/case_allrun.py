@@ -4,9 +4,11 @@
 """Tiny runs from the table to the results: killed on the way and continued, compared with a kept
 table, never made twice; a plate; the report of them."""
 
+import csv
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -109,6 +111,22 @@ class Allrun(grainjet.Case):
         sent = summary["settings"]["particlesPerSecond"]
         self.assertGreater(hits["all"]["particle_frequency"], 0.8*sent)
         self.assertLess(hits["all"]["particle_frequency"], 3*sent)
+
+        # The fix's own table is that of the last step, which is no multiple of its `every` (1000 by default),
+        # and counts what it has written to the events file
+        case = results.parent
+        parameters = dict(re.findall(r"(?m)^(\w+)\s+([0-9.e+-]+);", (case/"system"/"parameters").read_text()))
+        end, start, step = (float(parameters[name]) for name in ("endTime", "sampleStart", "fluidStep"))
+        self.assertNotEqual(round(end/step)*int(parameters["couplingInterval"]) % 1000, 0)
+        self.assertNotIn("every", (case/"constant"/"particles"/"plate").read_text().split("fix plate ")[1].split("\n")[0])
+        with open(case/"postProcessing"/"plate"/"plate.csv") as file:
+            whole = next(csv.DictReader(file))
+        self.assertEqual(whole["region"], "all")
+        # the fix counts time in DEM steps
+        self.assertAlmostEqual(float(whole["time"]), end - start, delta=1e-6*(end - start))
+        events = (case/"postProcessing"/"plate"/"events.csv").read_text().splitlines()
+        self.assertGreater(len(events), 100)
+        self.assertEqual(int(whole["collisions"]), len(events) - 1)
 
         kept = self.folder/"kept"
         shutil.copytree(results, kept/"plate5D-cg1-tiny")

@@ -170,6 +170,7 @@ class FixHertzCg : public Fix {
 
   void fail(const std::string &message);
   void report_failure();
+  void report_deep();
 
   struct Grains;
   struct Evaluated;

@@ -139,14 +139,19 @@ void FixHertzCg::end_of_step()
   }
 }
 
-/* ----------------------------------------------------------------------
-   A coupled run ends after every fluid step: deep contacts are reported when there are the
-   first of them, and again when there are ten times as many
-------------------------------------------------------------------------- */
-
 void FixHertzCg::post_run()
 {
   report_failure();
+  report_deep();
+}
+
+/* ----------------------------------------------------------------------
+   Runs may be many and short, and restart files many in one: deep contacts are reported when
+   there are the first of them, and again when there are ten times as many
+------------------------------------------------------------------------- */
+
+void FixHertzCg::report_deep()
+{
   double deep = deep_, deepest = deepest_;
   MPI_Allreduce(MPI_IN_PLACE, &deep, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -160,7 +165,8 @@ void FixHertzCg::post_run()
 }
 
 /* ----------------------------------------------------------------------
-   Restart file. Global: sums over all ranks, so that the number of ranks may change.
+   Restart file. Global: sums over all ranks, so that the number of ranks may change. Deep
+   contacts are reported here too: what comes after may be killed, and a run be long.
 ------------------------------------------------------------------------- */
 
 namespace {
@@ -174,6 +180,7 @@ enum Saved { VERSION, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MAR
 
 void FixHertzCg::write_restart(FILE *fp)
 {
+  report_deep();
   double sum[4] = {collisions_, deep_, work_, found_};
   double deepest = deepest_;
   MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, world);

@@ -9,6 +9,8 @@
 #include "atom.h"
 #include "domain.h"
 #include "fix.h"
+#include "fix_neighlist_mesh.h"
+#include "fix_wall_gran.h"
 #include "lammps.h"
 #include "modify.h"
 #include "primitive_wall.h"
@@ -17,19 +19,6 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-
-/* The one member function of each of the host's classes that is needed. The host's own headers of them
-   cannot be included, since they want headers that are generated when LIGGGHTS is compiled.     */
-namespace LAMMPS_NS {
-class FixWallGran {
- public:
-  PrimitiveWall *primitiveWall();
-};
-class FixNeighlistMesh {
- public:
-  int getSizeNumContacts();    // number of triangles, in spite of its name
-};
-}
 
 /* ---------------------------------------------------------------------- */
 
@@ -48,7 +37,7 @@ grainjet::WallAxes grainjet::find_walls(LAMMPS *lmp)
       walls.any = walls.mesh = walls.axis[0] = walls.axis[1] = walls.axis[2] = true;
     }
     if (strncmp(fix->style, "wall/gran", 9) != 0) continue;
-    PrimitiveWall *primitive = reinterpret_cast<FixWallGran *>(fix)->primitiveWall();
+    PrimitiveWall *primitive = static_cast<FixWallGran *>(fix)->primitiveWall();
     if (!primitive) continue;
     walls.any = true;
     // a cylinder names its axis; a plane shows its normal in the way from any point to it
@@ -69,7 +58,8 @@ grainjet::MeshWork grainjet::mesh_work(LAMMPS *lmp)
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix *fix = lmp->modify->fix[i];
     if (strcmp(fix->style, "neighlist/mesh") == 0)
-      work.triangles += reinterpret_cast<FixNeighlistMesh *>(fix)->getSizeNumContacts();
+      // the number of triangles, in spite of its name
+      work.triangles += static_cast<FixNeighlistMesh *>(fix)->getSizeNumContacts();
     // the list's number of triangles of each grain, which the host keeps as the bits of an integer
     if (strncmp(fix->id, "n_neighs_mesh_", 14) != 0 || !fix->vector_atom) continue;
     for (int n = 0; n < lmp->atom->nlocal; ++n) {

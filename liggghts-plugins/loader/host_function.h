@@ -13,16 +13,25 @@
 
 namespace grainjet {
 
+// an address in the library of LIGGGHTS: a function of it that nobody interposes; NULL if there is
+// no LIGGGHTS in this process
+inline void *host_landmark()
+{
+  const char *symbol = "_ZN9LAMMPS_NS6LAMMPS11post_createEv";
+  void *found = dlsym(RTLD_DEFAULT, symbol);
+  return found ? found : dlsym(RTLD_NEXT, symbol);
+}
+
 /* The host's own function of a name that this library has taken the place of. Usually it
    is the next one in the linker's search order. If this file is preloaded and LIGGGHTS comes
    later by dlopen (as in OpenFOAM or Python), the next one is not visible from here, and the
-   host's file is asked for it. It is found by a function of the host that nobody interposes. */
+   host's file is asked for it. */
 inline void *host_function(const char *symbol)
 {
   if (void *next = dlsym(RTLD_NEXT, symbol)) return next;
 
   Dl_info info;
-  void *landmark = dlsym(RTLD_DEFAULT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv");
+  void *landmark = host_landmark();
   if (landmark && dladdr(landmark, &info))
     if (void *host = dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD))
       if (void *own = dlsym(host, symbol)) return own;

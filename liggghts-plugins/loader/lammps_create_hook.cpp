@@ -13,6 +13,7 @@
    library that depends on libliggghts. It runs the host's own function and then
    enters the command and the styles loaded so far.                             */
 
+#include "loader/host_build.h"
 #include "loader/host_function.h"
 #include "loader/plugin_command.h"
 #include "loader/plugin_file.h"
@@ -54,11 +55,10 @@ void check_other_loader(LAMMPS *lmp)
 
 void LAMMPS::create()
 {
-  // before anything of the host's classes is touched: their layout must be the known one
-  const std::string host = grainjet::style_maps::host(this);
-  if (host != LIGGGHTSPLUGIN_HOST)
-    error->all(FLERR, ("The plugin loader was built for " LIGGGHTSPLUGIN_HOST ", but this is " + host +
-      ". Build Grainjet again for this LIGGGHTS").c_str());
+  // Before the host's tables are touched: the layout of its classes must be the known one. Ranks
+  // on other machines may have another LIGGGHTS
+  const std::string misfit = grainjet::host_build::misfit(LIGGGHTSPLUGIN_HOST);
+  grainjet::plugin_file::agree(this, misfit.empty() ? "" : "The plugin loader " + misfit);
 
   // as in preload_once.cpp, for another screen than the launcher's and other programs
   if (screen) setvbuf(screen, NULL, _IOLBF, 0);

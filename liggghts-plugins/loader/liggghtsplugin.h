@@ -29,8 +29,8 @@ struct liggghtsplugin_style {
   void (*creator)();     // cast back by the loader according to kind
 };
 
-// host: version stamp of the LIGGGHTS the plugin was compiled for; a plugin
-//       compiled for another host is refused, since C++ class layouts differ
+// host: stamp of the LIGGGHTS the plugin was compiled for (see host_build.h); a plugin
+//       compiled for another build is refused, since C++ class layouts differ
 struct liggghtsplugin_description {
   const char *host;
   int nstyles;
@@ -54,7 +54,7 @@ typedef const liggghtsplugin_description *(*liggghtsplugin_initfunc)();
 // Stamp given on the compiler's command line by the build (see
 // liggghts-plugins/CMakeLists.txt), the same for loader and plugins.
 #ifndef LIGGGHTSPLUGIN_HOST
-#error "LIGGGHTSPLUGIN_HOST must name the version of LIGGGHTS compiled for"
+#error "LIGGGHTSPLUGIN_HOST must be what the script host-version says of the LIGGGHTS compiled for"
 #endif
 
 #endif

@@ -6,8 +6,8 @@
 
 #include "loader/plugin_file.h"
 
+#include "loader/host_build.h"
 #include "loader/library_file.h"
-#include "loader/style_maps.h"
 
 #include <liggghts/lammps.h>
 #include <liggghts/comm.h>
@@ -116,7 +116,7 @@ std::string stamp(void *file)
 }
 
 // why an opened library is not to be used here, empty if it is
-std::string refusal(void *file, const std::string &host)
+std::string refusal(void *file)
 {
   const auto init = reinterpret_cast<liggghtsplugin_initfunc>(dlsym(file, "liggghtsplugin_init"));
   const std::string grainjet = stamp(file);
@@ -129,14 +129,12 @@ std::string refusal(void *file, const std::string &host)
   if (!description || !description->host)
     return " is a library but not a LIGGGHTS plugin (it has no working entry point "
       "liggghtsplugin_init). Is this the file you meant?";
-  if (host != description->host)
-    return std::string(" was built for ") + description->host + ", but this is " + host +
-      ". Build it again for this LIGGGHTS";
-  return "";
+  const std::string misfit = grainjet::host_build::misfit(description->host);
+  return misfit.empty() ? "" : " " + misfit;
 }
 
 // description of the plugin, or NULL and why it was refused
-const liggghtsplugin_description *examine(const std::string &path, const std::string &host, std::string &why)
+const liggghtsplugin_description *examine(const std::string &path, std::string &why)
 {
   // the linker maps what a file claims to hold, and the program dies where it does not
   why = grainjet::library_file::damage(path);
@@ -156,7 +154,7 @@ const liggghtsplugin_description *examine(const std::string &path, const std::st
     return NULL;
   }
 
-  why = refusal(file, host);
+  why = refusal(file);
   dlclose(file);
   if (!why.empty()) {
     why = "'" + path + "'" + why;
@@ -178,8 +176,11 @@ void broadcast(LAMMPS *lmp, std::string &text, int from)
   if (length) MPI_Bcast(&text[0], length, MPI_CHAR, from, lmp->world);
 }
 
-// end on all ranks if one has something to complain of; the lowest such rank is heard
-void agree(LAMMPS *lmp, std::string why)
+}
+
+/* ---------------------------------------------------------------------- */
+
+void grainjet::plugin_file::agree(LAMMPS *lmp, std::string why)
 {
   int me, nprocs;
   MPI_Comm_rank(lmp->world, &me);
@@ -190,9 +191,7 @@ void agree(LAMMPS *lmp, std::string why)
   if (first == nprocs) return;
   if (nprocs > 1) why += " (on rank " + std::to_string(me) + ")";
   broadcast(lmp, why, first);
-  lmp->error->all(FLERR, ("plugin load: " + why).c_str());
-}
-
+  lmp->error->all(FLERR, why.c_str());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -212,8 +211,8 @@ std::string grainjet::plugin_file::find(LAMMPS *lmp, const std::string &name)
 const liggghtsplugin_description *grainjet::plugin_file::open(LAMMPS *lmp, const std::string &path)
 {
   std::string why;
-  const liggghtsplugin_description *description = examine(path, style_maps::host(lmp), why);
-  agree(lmp, why);
+  const liggghtsplugin_description *description = examine(path, why);
+  agree(lmp, why.empty() ? "" : "plugin load: " + why);
   return description;
 }
 

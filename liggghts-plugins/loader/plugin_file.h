@@ -15,7 +15,7 @@ namespace LAMMPS_NS { class LAMMPS; }
 
 /* Finding and opening a plugin file.
 
-   Both functions are collective over the ranks of `world`. Rank 0 searches and all
+   Both find() and open() are collective over the ranks of `world`. Rank 0 searches and all
    ranks open the very file it found, so that different folders on different ranks
    cannot mix two builds of a plugin. If any rank fails, all ranks end with the same
    message through error->all().                                                */
@@ -30,10 +30,14 @@ namespace plugin_file {
 
   // Open the file and ask it for its styles. Refused are files that are no shared
   // library or are cut short, that lack the entry point, or that were built with another
-  // Grainjet or for another host.
+  // Grainjet or for another build of LIGGGHTS.
   // The file stays mapped to the end of the process, since fixes made by it may
   // outlive its entry in the style tables.
   const liggghtsplugin_description *open(LAMMPS_NS::LAMMPS *, const std::string &path);
+
+  // End with this message on all ranks if it is not empty on one of them; the lowest such
+  // rank is heard. Collective over `world`
+  void agree(LAMMPS_NS::LAMMPS *, std::string why);
 
   // version of Grainjet that a library which is loaded already was built with; empty if
   // it states none

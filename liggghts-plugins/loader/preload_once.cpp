@@ -7,12 +7,16 @@
 /* Only in the library for the stock program, which the launcher preloads: takes this
    library out of LD_PRELOAD as soon as LIGGGHTS is started, so that programs started by
    LIGGGHTS (`shell`, gzip for dumps, daemons of MPI) run without it. If `liggghts` is a
-   wrapper script, its shell is passed over. Also lets no message be lost in a pipe.   */
+   wrapper script, its shell is passed over. Also lets no message be lost in a pipe, and stops
+   if LIGGGHTS would not call this library, which a user would see as an unknown command. */
+
+#include "loader/interposition.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <string>
@@ -27,6 +31,13 @@ __attribute__((constructor)) void leave_ld_preload()
   // An error of one rank ends all of them at once, and with them what waits in the buffer of a
   // screen that goes to a file or a pipe: the message
   setvbuf(stdout, NULL, _IOLBF, 0);
+
+  const std::string fault = grainjet::interposition::loader_fault();
+  if (!fault.empty()) {
+    fprintf(stderr, "ERROR: The plugin loader does not work: %s. Start LIGGGHTS with liggghts-plugins, and without that "
+            "library\n", fault.c_str());
+    _exit(1);
+  }
 
   const char *variable = getenv("LD_PRELOAD");
   Dl_info info;

@@ -12,7 +12,6 @@
 #include <liggghts/fix.h>
 #include <liggghts/input.h>
 #include <liggghts/modify.h>
-#include <liggghts/universe.h>
 
 #include <dlfcn.h>
 
@@ -119,16 +118,4 @@ std::string grainjet::style_maps::user(LAMMPS *lmp, const liggghtsplugin_style &
 std::string grainjet::style_maps::file(LAMMPS *lmp, const liggghtsplugin_style &style)
 {
   return is(style, "fix") ? file_of(fixes(lmp), style) : file_of(commands(lmp), style);
-}
-
-/* ----------------------------------------------------------------------
-   the host says "Version LIGGGHTS-PUBLIC 3.8.0, compiled <date> by <whom>, ..."
-------------------------------------------------------------------------- */
-
-std::string grainjet::style_maps::host(LAMMPS *lmp)
-{
-  std::string version = lmp->universe->version;
-  const std::string prefix = "Version ";
-  if (version.compare(0, prefix.size(), prefix) == 0) version.erase(0, prefix.size());
-  return version.substr(0, version.find(','));
 }

@@ -41,9 +41,6 @@ namespace style_maps {
   // library file whose creator stands under the name now, empty if it is in no file
   std::string file(LAMMPS_NS::LAMMPS *, const liggghtsplugin_style &);
 
-  // version the running LIGGGHTS states about itself, as in LIGGGHTSPLUGIN_HOST
-  std::string host(LAMMPS_NS::LAMMPS *);
-
 }
 }
 

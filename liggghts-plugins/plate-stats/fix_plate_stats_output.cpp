@@ -182,6 +182,8 @@ void FixPlateStats::write()
 }
 
 /* ----------------------------------------------------------------------
+   What a run has found so far is on disk when its restart file is, whatever ends it then.
+
    restart data: size, FORMAT, start_, clock_, begin_, bytes of the events file, geometry,
    wall and events file (texts), plates of the meshes, collisions begun per region,
    statistics
@@ -205,7 +207,7 @@ static std::string unpack_text(const double *&next)
 
 void FixPlateStats::write_restart(FILE *fp)
 {
-  gather();
+  write();
   if (comm->me != 0) return;
   std::vector<double> list =
     {0.0, FORMAT, start_, clock_, begin_, events_ ? events_->size() : -1.0};

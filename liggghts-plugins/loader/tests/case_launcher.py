@@ -87,7 +87,7 @@ class Guards(LoaderCase):
             result = grainjet.run(
                 [*grainjet.mpirun(ranks), "env", f"LD_PRELOAD={PLUGINS}/wronghostloader.so", "liggghts", "-in", "in.test"],
                 self.folder)
-            self.assertFails(result, "loader was built for LIGGGHTS-PUBLIC 2.0.0", "Build Grainjet again")
+            self.assertFails(result, "loader was built for LIGGGHTS-PUBLIC 2.0.0", "Build it again")
             self.assertEqual(result.output.count("ERROR"), 1, result)
 
     def coupled(self, ranks, **env):

@@ -9,6 +9,8 @@
 #include "loader/lammps_create_hook.cpp"
 #include "loader/plugin_command.cpp"
 #include "loader/plugin_file.cpp"
+#include "loader/host_build.cpp"
+#include "loader/interposition.cpp"
 #include "loader/library_file.cpp"
 #include "loader/plugin_loader.cpp"
 #include "loader/style_maps.cpp"

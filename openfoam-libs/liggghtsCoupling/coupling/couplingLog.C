@@ -7,6 +7,8 @@
 #include "couplingLog.H"
 #include "volFields.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -23,6 +25,13 @@ void printProvided(const Foam::scalar value)
     {
         Foam::Info<< "unknown";
     }
+}
+
+
+// OpenFOAM prints whole numbers as labels, which may have 32 bits
+std::string digits(const Foam::scalar count)
+{
+    return std::to_string(std::llround(count));
 }
 
 } // End anonymous namespace
@@ -146,7 +155,7 @@ void Foam::couplingLog::closeFluidStep(grainMomentum& momentum)
 }
 
 
-void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
+void Foam::couplingLog::write(const step& values)
 {
     const Time& time = mesh_.time();
     const scalar now = clock_.elapsedTime();
@@ -176,19 +185,18 @@ void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
     // As scalars, which count whole numbers up to 9e15
     const vector removed = returnReduce
     (
-        vector(grains.leftBox(), grains.deleted(), values.searches),
+        vector(values.grains.leftBox, values.grains.deleted, values.searches),
         sumOp<vector>()
     );
     leftBox_ += removed[0];
     deleted_ += removed[1];
-    const std::int64_t searches = removed[2];
     const scalar unaccounted =
         values.counts.inserted - leftBox_ - deleted_ - values.counts.present;
     miss(unaccounted);
 
     const vector sums = returnReduce
     (
-        vector(grains.size(), grains.remote(), values.bytes),
+        vector(values.grains.owned, values.grains.remote, values.bytes),
         sumOp<vector>()
     );
     const label remote = sums[1];
@@ -225,7 +233,7 @@ void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
         << " (inserted " << label(values.counts.inserted)
         << ", left the box " << label(leftBox_)
         << ", deleted " << label(deleted_)
-        << ", outside the mesh " << grains.outsideMesh()
+        << ", outside the mesh " << values.grains.outsideMesh
         << ", remote " << remote << "), contacts ";
     printProvided(values.counts.contacts);
     Info<< ", max solid fraction " << maxSolidFraction
@@ -237,7 +245,17 @@ void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
         << ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
-        << " %, still " << label(secondsLeft + 0.5) << " s" << nl;
+        << " %, still ";
+    if (secondsLeft < labelMax)
+    {
+        Info<< label(secondsLeft + 0.5) << " s";
+    }
+    else
+    {
+        // stopAt nextWrite and the like have no time at which the run ends
+        Info<< "unknown";
+    }
+    Info<< nl;
 
     if (volumeCut > 0)
     {
@@ -251,7 +269,7 @@ void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
         OFstream& os = file();
         os  << time.value() << tab << values.counts.inserted
             << tab << values.counts.present << tab << leftBox_ << tab << deleted_
-            << tab << unaccounted << tab << grains.outsideMesh() << tab << values.counts.contacts
+            << tab << unaccounted << tab << values.grains.outsideMesh << tab << values.counts.contacts
             << tab << maxSolidFraction << tab << volumeCut
             << tab << slip << tab << values.counts.rayleigh;
         for (const vector& v : {toGrains, nonReacting, toFluid, owed})
@@ -260,8 +278,8 @@ void Foam::couplingLog::write(const step& values, const ownedGrains& grains)
         }
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << couplingSeconds
-            << tab << remote << tab << std::int64_t(sums[2])
-            << tab << searches
+            << tab << remote << tab << digits(sums[2]).c_str()
+            << tab << digits(removed[2]).c_str()
             << endl;
     }
     ownSeconds_ = clock_.elapsedTime() - now;

@@ -71,7 +71,7 @@ void Foam::couplingPipeline::start()
     {
         grains_->clearOwners();
         grains_->locate([](const label, const UList<grainData>&){});
-        checks.anyInside(grains_->outsideMesh());
+        checks.anyInside(grains_->numbers().outsideMesh);
     }
 }
 
@@ -148,10 +148,11 @@ void Foam::couplingPipeline::advance()
     step.received = momentum_.receive(*grains_, forces_, records_, averages_);
 
     step.counts = session_.counts();
+    step.grains = grains_->numbers();
     step.searches = locator_.searches();
     step.bytes = grains_->bytes() + averages_.shares().bytes();
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
-    log_.write(step, *grains_);
+    log_.write(step);
 }
 
 

@@ -7,11 +7,17 @@ Description
     LIGGGHTS reports an error on its own screen and ends the process. Here it runs
     inside a fluid solver whose user reads the solver's log, so these definitions of
     its error functions take precedence over its own (this library comes before
-    libliggghts in the search order) and pass the message on as a FatalError.
+    libliggghts in the search order) and pass the message on as a FatalError. Warnings
+    go to the solver's log as well, see sessionWarnings.
+
+    Not taken over: Error::message, which says nothing to act upon and stays in
+    LIGGGHTS' log, and Error::cg, which calls one of the others.
 
 \*---------------------------------------------------------------------------*/
 
 #include "sessionError.H"
+#include "sessionWarnings.H"
+#include "host/expose_member.h"
 
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wnon-virtual-dtor"
@@ -31,30 +37,56 @@ Description
 #include <sstream>
 #include <unistd.h>
 
+// * * * * * * * * * * * * * Members of the Parser * * * * * * * * * * * * * //
+
+namespace grainjet
+{
+
+struct InputLine
+{
+    using type = char* LAMMPS_NS::Input::*;
+    friend type member(InputLine);
+};
+
+struct LabelActive
+{
+    using type = int LAMMPS_NS::Input::*;
+    friend type member(LabelActive);
+};
+
+struct LabelText
+{
+    using type = char* LAMMPS_NS::Input::*;
+    friend type member(LabelText);
+};
+
+template struct Expose<InputLine, &LAMMPS_NS::Input::line>;
+template struct Expose<LabelActive, &LAMMPS_NS::Input::label_active>;
+template struct Expose<LabelText, &LAMMPS_NS::Input::labelstr>;
+
+} // End namespace grainjet
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-// What the input parser knows of the line that it is at. Its members are open to classes that
-// inherit from it
-struct parser
-:
-    public LAMMPS_NS::Input
+// The line as the input parser has read it last: text of the script, or a command within `if`
+std::string lineOf(LAMMPS_NS::Input* input)
 {
-    // The line as it is read last: text of the script, or a command within `if`
-    static std::string text(LAMMPS_NS::Input* input)
-    {
-        const char* line = input->*(&parser::line);
-        return line ? line : "";
-    }
+    const char* line = input->*member(grainjet::InputLine());
+    return line ? line : "";
+}
 
-    // The label that `jump` is looking for, or nothing
-    static std::string wantedLabel(LAMMPS_NS::Input* input)
-    {
-        return input->*(&parser::label_active) ? input->*(&parser::labelstr) : "";
-    }
-};
+
+// The label that `jump` is looking for, or nothing
+std::string wantedLabel(LAMMPS_NS::Input* input)
+{
+    return
+        input->*member(grainjet::LabelActive())
+      ? input->*member(grainjet::LabelText()) : "";
+}
 
 
 // How many line ends an open file has before the place that is read next
@@ -116,9 +148,9 @@ std::string place(LAMMPS_NS::Input* input, FILE* infile)
         result += ", line " + std::to_string(linesRead(infile));
     }
 
-    const std::string text(parser::text(input));
+    const std::string text(lineOf(input));
     result += ": " + text;
-    const std::string label(parser::wantedLabel(input));
+    const std::string label(wantedLabel(input));
     if (!label.empty())
     {
         result += "\n    label that jump looks for: " + label;
@@ -209,6 +241,31 @@ std::string meshes(LAMMPS_NS::Modify* modify)
 }
 
 
+// LIGGGHTS' log has all warnings of rank 0, the solver's log each one once
+void warn
+(
+    LAMMPS_NS::LAMMPS* lmp,
+    FILE* logfile,
+    const char* text,
+    const char* file,
+    int line
+)
+{
+    if (logfile)
+    {
+        std::fprintf(logfile, "WARNING: %s (%s:%d)\n", text, file, line);
+    }
+
+    const char* slash = std::strrchr(file, '/');
+    Foam::sessionWarnings::add
+    (
+        text,
+        std::string(slash ? slash + 1 : file) + ':' + std::to_string(line),
+        Foam::sessionPlace::inScript ? place(lmp->input, lmp->infile) : ""
+    );
+}
+
+
 // The wording of LIGGGHTS: an empty or one-letter text means a syntax error
 std::string styled
 (
@@ -279,6 +336,27 @@ void Error::compute_error
 )
 {
     report(lmp, logfile, styled("compute", compute->style, compute->id, text), file, line);
+}
+
+void Error::universe_warn(const char* file, int line, const char* text)
+{
+    warn(lmp, logfile, text, file, line);
+}
+
+void Error::warning(const char* file, int line, const char* text, int logflag)
+{
+    warn(lmp, logflag ? logfile : nullptr, text, file, line);
+}
+
+// Called on all ranks with one text
+void Error::warningAll(const char* file, int line, const char* text, int logflag)
+{
+    int me;
+    MPI_Comm_rank(world, &me);
+    if (me == 0)
+    {
+        warn(lmp, logflag ? logfile : nullptr, text, file, line);
+    }
 }
 
 // The command quit: the stock program ends here, but the fluid has not begun

@@ -7,6 +7,7 @@
 #include "liggghtsSession.H"
 #include "inFolder.H"
 #include "sessionError.H"
+#include "sessionWarnings.H"
 #include "fluid-force/fluid_force_exchange.h"
 #include "host/grainjet_version.h"
 
@@ -22,14 +23,12 @@
 #include "force.h"
 #include "input.h"
 #include "integrate.h"
-#include "library.h"
 #include "modify.h"
 #include "update.h"
 
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <unistd.h>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -182,60 +181,7 @@ void Foam::liggghtsSession::setup()
 
     lmp_->init();
     update->integrate->setup();
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::liggghtsSession::liggghtsSession
-(
-    const std::string& folder,
-    const std::string& log
-)
-:
-    folder_(folder),
-    log_(log),
-    lock_(-1),
-    lmp_(nullptr),
-    fluidForce_(nullptr),
-    contact_(nullptr),
-    insertedOffset_(0)
-{
-    inFolder here(folder_);
-    sessionPlace::log = log;
-
-    // A screen is needed (some commands print to it unasked), an open log is not
-    // wanted in the solver's output. start() knows how the log is to be opened
-    std::string words[] = {"liggghts", "-log", "none", "-screen", "/dev/null"};
-    char* arguments[5];
-    for (int i = 0; i < 5; ++i)
-    {
-        arguments[i] = &words[i][0];
-    }
-
-    // LIGGGHTS keeps the communicator: its messages must never meet the solver's
-    MPI_Comm world;
-    MPI_Comm_dup(MPI_COMM_WORLD, &world);
-
-    void* instance = nullptr;
-    lammps_open(5, arguments, world, &instance);
-    lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(instance);
-}
-
-
-// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
-
-Foam::liggghtsSession::~liggghtsSession()
-{
-    inFolder here(folder_);
-
-    MPI_Comm world = lmp_->world;
-    lammps_close(lmp_);
-    MPI_Comm_free(&world);
-    if (lock_ >= 0)
-    {
-        close(lock_);
-    }
+    running_ = true;
 }
 
 
@@ -287,6 +233,7 @@ void Foam::liggghtsSession::start
     setup();
 
     insertedOffset_ = lmp_->atom->natoms - insertedByFixes();
+    sessionWarnings::gather();
 }
 
 
@@ -300,6 +247,7 @@ void Foam::liggghtsSession::advance(const int n)
 {
     inFolder here(folder_);
     lmp_->update->integrate->run(n);
+    sessionWarnings::gather();
 }
 
 

@@ -10,7 +10,9 @@ Description
 
 #include "liggghtsSession.H"
 #include "inFolder.H"
+#include "noFloatTraps.H"
 #include "sessionError.H"
+#include "sessionWarnings.H"
 #include "fluid-force/fluid_force_exchange.h"
 
 #pragma GCC diagnostic ignored "-Wold-style-cast"
@@ -177,6 +179,7 @@ Foam::liggghtsSession::restartFile Foam::liggghtsSession::writeRestart
 )
 {
     inFolder here(folder_);
+    const noFloatTraps asInTheStockProgram;
 
     // pair_style gran keeps contacts in its list of neighbours and with the grains only when
     // a new list is made; LIGGGHTS writes those of the grains
@@ -192,6 +195,10 @@ Foam::liggghtsSession::restartFile Foam::liggghtsSession::writeRestart
     // the run anew, and so change it
     std::vector<char> name(file.c_str(), file.c_str() + file.size() + 1);
     LAMMPS_NS::WriteRestart(lmp_).write(name.data());
+
+    // Lines of fix print, fix massflow/mesh, the log and their like that wait in memory
+    std::fflush(nullptr);
+    sessionWarnings::gather();
 
     const LAMMPS_NS::GrainFile written = fluidForce().written;
     return {file, written.stamp, written.step, written.grains};

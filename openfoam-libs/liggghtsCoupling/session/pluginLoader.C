@@ -18,6 +18,8 @@ Description
 #include "loader/plugin_command.cpp"
 #include "loader/plugin_loader.cpp"
 #include "loader/plugin_file.cpp"
+#include "loader/host_build.cpp"
+#include "loader/interposition.cpp"
 #include "loader/library_file.cpp"
 #include "loader/style_maps.cpp"
 #include "loader/script_start.cpp"

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sessionError.H"
+#include "sessionWarnings.H"
 #include "error.H"
 #include "Pstream.H"
 #include <cstdlib>
@@ -28,7 +29,7 @@ void Foam::sessionError(const std::string& message)
     }
 
     FatalErrorInFunction
-        << message.c_str() << exit(FatalError);
+        << message.c_str() << sessionWarnings::waiting().c_str() << exit(FatalError);
 
     std::exit(1);   // not reached; tells the compiler so
 }

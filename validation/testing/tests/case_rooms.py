@@ -74,6 +74,28 @@ class Rooms(unittest.TestCase):
              if name.split("/")[0] in rooms and not doors.fullmatch(name)],
             "openfoam-libs includes the inside of a plugin")
 
+    def test_classes_of_liggghts_are_not_declared_anew(self):
+        """A second declaration is not compared with the first by anyone, and results are wrong without a word."""
+        body = re.compile(r"(?m)^[ \t]*(?:class|struct)\s+(\w+)[^;{()]*\{")
+        headers = list(pathlib.Path("/usr/include/liggghts").glob("*.h"))
+        theirs = {name for header in headers for name in body.findall(header.read_text(errors="replace"))}
+        # ours without those within another class, which are indented
+        outer = re.compile(body.pattern.replace("[ \\t]*", ""))
+        self.assertLessEqual({"Fix", "FixWallGran", "Input", "LAMMPS", "Modify"}, theirs)
+
+        plugins = [path for path in sources("liggghts-plugins") if "LAMMPS_NS" in path.read_text()]
+        session = [path for path in sources("openfoam-libs") if "LAMMPS_NS" in path.read_text()]
+        self.assertTrue(plugins and session)
+        self.assertNone(
+            [f"{named(path)}: {name}" for path in plugins + session for name in outer.findall(path.read_text()) if name in theirs],
+            "a class of LIGGGHTS is declared anew")
+
+    def test_members_of_liggghts_are_reached_in_one_way(self):
+        """By grainjet::Expose of one header: no second template for it, no other keyword for private."""
+        tricks = re.compile(r"#\s*define\s+(?:private|protected)\b|friend typename Tag::type|-fno-access-control")
+        self.assertEqual(
+            [named(path) for path in sources() if tricks.search(path.read_text())], ["liggghts-plugins/host/expose_member.h"])
+
     def test_source_files_are_short(self):
         self.assertNone(
             [f"{named(path)}: {count} lines" for path in sources()

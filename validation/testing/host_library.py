@@ -1,0 +1,63 @@
+"""Copies of the installed LIGGGHTS library that look like other builds of it.
+
+A copy lies in a folder of its own under the name that programs ask for; LD_LIBRARY_PATH brings it
+into a run. Its functions are unchanged, so whatever refuses it has read its stamp.
+"""
+
+import pathlib
+import re
+import struct
+import subprocess
+
+
+def installed():
+    """The library of the program liggghts in PATH."""
+    found = subprocess.run(["bash", "-c", 'ldd "$(command -v liggghts)"'], check=True, stdout=subprocess.PIPE, text=True)
+    return pathlib.Path(re.search(r"(libliggghts\S*) => (\S+)", found.stdout).group(2)).resolve()
+
+
+def sections(content):
+    """{name: (offset of its header, its offset in the file, size)} of a 64-bit ELF file."""
+    table, = struct.unpack_from("<Q", content, 0x28)
+    size, number, names = struct.unpack_from("<HHH", content, 0x3A)
+    headers = [(table + n * size, *struct.unpack_from("<IIQQQQ", content, table + n * size)) for n in range(number)]
+    strings = headers[names][5]
+    result = {}
+    for header, name, _, _, _, offset, length in headers:
+        end = content.index(b"\0", strings + name)
+        result[content[strings + name:end].decode()] = (header, offset, length)
+    return result
+
+
+def copy(folder, change):
+    """Put a copy into the folder, changed by change(content as bytearray, sections); its path."""
+    content = bytearray(installed().read_bytes())
+    change(content, sections(content))
+    folder.mkdir(parents=True)
+    path = folder / "libliggghts.so.3"
+    path.write_bytes(content)
+    return path
+
+
+def other_build(content, parts):
+    """Another build ID: the last byte of the note is turned round."""
+    _, offset, length = parts[".note.gnu.build-id"]
+    content[offset + length - 1] ^= 0xFF
+
+
+def no_build(content, parts):
+    """No build ID: the type of the note is one that nobody knows."""
+    _, offset, _ = parts[".note.gnu.build-id"]
+    struct.pack_into("<I", content, offset + 8, 0x7777)
+
+
+def symbolic(content, parts):
+    """As linked with -Bsymbolic: the library calls its own functions, whoever defines them too."""
+    DT_FLAGS, DF_SYMBOLIC = 30, 2
+    _, offset, length = parts[".dynamic"]
+    for at in range(offset, offset + length, 16):
+        tag, value = struct.unpack_from("<qQ", content, at)
+        if tag == DT_FLAGS:
+            struct.pack_into("<Q", content, at + 8, value | DF_SYMBOLIC)
+            return
+    raise AssertionError("the library has no entry DT_FLAGS to change")
