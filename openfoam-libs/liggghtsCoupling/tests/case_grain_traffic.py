@@ -72,10 +72,11 @@ class Traffic(box.CoupledCase):
                 end = folder / "0.002"
                 for celli, (eps, velocity) in enumerate(zip(
                         dictionaries.internal(end / "voidFraction"),
-                        dictionaries.internal(end / "particleVelocity"))):
+                        dictionaries.internal(end / "particleVelocity"), strict=True)):
                     self.assertAlmostEqual(eps, 1 - solid[celli], delta=1e-12, msg=f"cell {celli}")
                     for mean, one in zip(velocity, v):
                         self.assertAlmostEqual(mean, one if solid[celli] else 0, delta=1e-12)
+                self.assertEqual(celli, len(solid) - 1)
 
     def test_across_ranks(self):
         """Fast grains that cross the border between the ranks of both sides, back and forth:
