@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """`fix hertz/cg` against the benchmark tests of Chung & Ooi, Granular Matter 13 (2011) 643.
 
     source environment; compare.py <folder with digitised curves> [<picture.png>]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What the coupling costs: coupled run against fluid alone and grains alone.
 
     overhead = (coupled - fluid - grains)/(fluid + grains)

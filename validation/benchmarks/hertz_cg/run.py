@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Speed of `fix hertz/cg` against the stock pair style, in one run, alternating.
 
     source environment; run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--skin X ...] [--profile]

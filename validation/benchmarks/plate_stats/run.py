@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What fix plate/stats and fix fluid/force cost, as a share of the DEM step.
 
 50,000 grains of 80 um fly between two walls without loss, so that hundreds touch the plate
