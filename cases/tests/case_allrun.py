@@ -27,10 +27,12 @@ class Allrun(grainjet.Case):
     def allrun(self, *words):
         return grainjet.run([CASES/"Allrun", *words], self.folder, timeout=300, env=self.env)
 
+    LAST = "uniform/functionObjects/functionObjectProperties"       # written after all else of a time
+
     def killed_in_the_coupled_run(self, folder):
         """Start, wait for the first time that is kept, kill everything."""
         with grainjet.start([CASES/"Allrun", "Hardalupas1", "tiny"], self.folder, self.folder/"log", self.env) as job:
-            job.wait_for(lambda: list(folder.glob("0.*/uniform/liggghts.restart")), "a time with grains")
+            job.wait_for(lambda: list(folder.glob(f"0.*/{self.LAST}")), "a time")
             self.assertIsNone(job.process.poll(), "ended before it could be killed")
 
     def test_killed_continued_and_compared(self):
@@ -38,15 +40,19 @@ class Allrun(grainjet.Case):
         self.killed_in_the_coupled_run(folder)
         self.assertFalse((folder/"results").exists())
 
-        # what a kill in the middle of writing leaves: a time without its grains
-        broken = folder/"0.05"
-        broken.mkdir()
+        # what a kill in the middle of writing leaves: a time without its grains, one without some fields
+        kept = next(folder.glob(f"0.*/{self.LAST}")).parents[2]
+        (folder/"0.05").mkdir()
+        shutil.copytree(kept, folder/"0.06")
+        (folder/"0.06"/self.LAST).unlink()
+        (folder/"0.06"/"epsilon").unlink()
         continued = self.allrun("Hardalupas1", "tiny")
         self.assertEqual(continued.code, 0, continued)
         self.assertIn("unfinished", continued.output)
         self.assertRegex(continued.output, r"goes on from 0\.0\d+ s")
         self.assertNotIn("Mesh quality", continued.output)      # finished stages are not made again
-        self.assertFalse(broken.exists())
+        self.assertFalse((folder/"0.05").exists())
+        self.assertFalse((folder/"0.06").exists())
         self.assertIn("10 of 10 checks hold", continued.output)
 
         self.compare(json.loads((folder/"results"/"summary.json").read_text()))
