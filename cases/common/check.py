@@ -11,25 +11,16 @@ the end of the sampling."""
 
 import math
 import pathlib
-import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]/"validation"/"plots"))
+import numpy
 
-import numpy      # noqa: E402
-import fields     # noqa: E402
-import tables     # noqa: E402
+from grainjet import dictionaries, fields, tables
 
 
 def parameters(case):
     """Numbers, lists of numbers and words of system/parameters."""
-    def value(text):
-        try:
-            return [float(x) for x in text[1:-1].split()] if text[0] == "(" else float(text)
-        except ValueError:
-            return text
-    text = (pathlib.Path(case)/"system"/"parameters").read_text()
-    return {name: value(stated) for name, stated in re.findall(r"^(\w+)\s+([^;\n]+);", text, re.M)}
+    return dictionaries.values(pathlib.Path(case)/"system"/"parameters")
 
 
 def inserted(p):

@@ -134,7 +134,7 @@ steady_stage()
     sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' log.simpleFoam | tail -n 1
 }
 
-# From time 0, or from the latest time that holds the grains too
+# From time 0, or from the latest time that is complete
 coupled_stage()
 {
     launcher
@@ -144,7 +144,7 @@ coupled_stage()
         at=processor0
         [ -d processor0/0 ] || run log.decomposePar "Cutting the mesh for $ranks ranks" decomposePar
     fi
-    complete_times "$at"
+    complete_times
     if [ "$start" = 0 ]
     then
         echo "Coupled run: pimpleFoam and LIGGGHTS on $ranks ranks"
@@ -158,18 +158,29 @@ coupled_stage()
     [ -z "$parallel" ] || run log.reconstructPar "Joining the fields of the ranks" reconstructPar
 }
 
-# complete_times <folder>: drop the times that a killed run left without grains, set $start
+# is_complete <time>: it holds the grains, and on all ranks the file that OpenFOAM writes last
+is_complete()
+{
+    local part
+    [ -f "$at/$1/uniform/liggghts.restart" ] || return 1
+    for part in $([ "$at" = . ] && echo . || echo processor*)
+    do
+        [ -s "$part/$1/uniform/functionObjects/functionObjectProperties" ] || return 1
+    done
+}
+
+# complete_times: drop the times in $at that a killed run left incomplete, set $start
 complete_times()
 {
     local time
     start=0
-    for time in $(find "$1" -maxdepth 1 -type d -name '[0-9]*' -printf '%f\n' | grep -E '^[0-9.e-]+$' | sort -g)
+    for time in $(find "$at" -maxdepth 1 -type d -name '[0-9]*' -printf '%f\n' | grep -E '^[0-9.e-]+$' | sort -g)
     do
         [ "$time" != 0 ] || continue
-        if [ -f "$1/$time/uniform/liggghts.restart" ]
+        if is_complete "$time"
         then
             start=$time
-        elif [ "$1" = . ]
+        elif [ "$at" = . ]
         then
             rm -rf "./$time"
         else

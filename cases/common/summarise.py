@@ -23,10 +23,7 @@ import numpy
 
 import check
 import plate
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]/"validation"/"plots"))
-import fields      # noqa: E402
-import tables      # noqa: E402
+from grainjet import tables
 
 COLUMNS = ("crossings", "flux_weighted_mean_axial", "stderr_flux_weighted_mean_axial",
            "flux_weighted_rms_axial", "flux_weighted_rms_radial", "number_flux", "stderr_number_flux",

@@ -6,16 +6,12 @@ to wrong entries. Nothing is run."""
 
 import json
 import math
-import sys
 import unittest
 
 import grainjet
+from common import table
 
 CASES = grainjet.ROOT/"cases"
-sys.path.insert(0, str(CASES/"common"))
-
-import table      # noqa: E402
-
 
 class Derived(unittest.TestCase):
 

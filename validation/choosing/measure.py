@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The small measurements of docs/choosing.md. Prints tables; a minute each, `jet` a quarter of an hour.
 
-    measure.py <work folder> step|stiffness|collisions|interval|cell|momentum|jet|example ...
+    source environment; measure.py <work folder> step|stiffness|collisions|interval|cell|momentum|jet|example ...
 """
 
 import argparse
@@ -15,17 +15,10 @@ import re
 import shutil
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-for folder in ("validation/testing", "validation/dem_contact", "validation/plots",
-               "openfoam-libs/liggghtsCoupling/tests", "cases/tutorial/tests"):
-    sys.path.insert(0, str(ROOT/folder))
+import numpy
 
-import numpy                # noqa: E402
-import case_tutorial        # noqa: E402
-import coupled_box as box   # noqa: E402
-import grainjet             # noqa: E402
-import impacts              # noqa: E402
-import tables               # noqa: E402
+import grainjet
+from grainjet import coupled_box as box, dictionaries, dumps, impacts, pages, scripts, tables
 
 RHO, NU = 1.2, 1.5e-5               # air
 GLASS = 2950.0
@@ -159,18 +152,15 @@ def interval(work):
         folder = fresh(work/"interval")
         # a box of 40 m: the bead stays inside, the air at rest
         box.write(folder, steps=steps, delta_t=dt, cells="2 2 4")
-        mesh = folder/"system"/"blockMeshDict"
-        mesh.write_text(mesh.read_text().replace("scale 0.001", "scale 1"))
+        dictionaries.put(folder/"system"/"blockMeshDict", scale=1)
         box.script(folder, dt=dt/10, grains=box.grains([(10, 10, 1)], [(0, 0, v0)], d, GLASS),
-                   box="0 20 0 20 0 40", end=f"dump d all custom {10*steps} grains.dump id vz\n"
-                   'dump_modify d format "%d %.16g"')
-        script = folder/"constant"/"in.particles"
-        script.write_text(script.read_text().replace("neighbor 0.0005 bin", "neighbor 0.5 bin")
-                          .replace("binsize 0.002", "binsize 2"))
+                   box="0 20 0 20 0 40", end=scripts.dump(10*steps, "grains.dump", "id vz"))
+        dictionaries.change(folder/"constant"/"in.particles",
+                            ("neighbor 0.0005 bin", "neighbor 0.5 bin"), ("binsize 0.002", "binsize 2"))
         box.fv_options(folder, coupling="oneWay", forces="()")
         done(["blockMesh"], folder)
         done(["pimpleFoam"], folder)
-        v = box.read_dump(folder/"grains.dump")[1][0]
+        v = dumps.last(folder/"grains.dump")[1][0]
         print(f"{steps:20d} {v:10.4f} {100*(v/exact - 1):9.2f}")
 
 
@@ -185,20 +175,18 @@ def cell(work):
             for way in ("oneWay", "twoWay"):
                 folder = fresh(work/"cell")
                 box.write(folder, steps=100, delta_t=2e-4, walls=True, cells=f"{n} {n} {2*n}")
-                mesh = folder/"system"/"blockMeshDict"
-                mesh.write_text(mesh.read_text().replace("scale 0.001", "scale 0.00015"))
+                dictionaries.put(folder/"system"/"blockMeshDict", scale=0.00015)
                 d = 30e-6
                 at = (0.0015, 0.0015, 0.0045)
                 box.script(folder, dt=2e-5, gravity="fix g all gravity 9.81 vector 0 0 -1",
                            plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {f} model_check warn",
                            grains=box.grains([at], [(0, 0, 0)], d, 2500.0), boundary="f f f",
                            box="0 0.003 0 0.003 0 0.006",
-                           end="dump d all custom 1000 grains.dump id vz\n"
-                           'dump_modify d format "%d %.16g"')
+                           end=scripts.dump(1000, "grains.dump", "id vz"))
                 box.fv_options(folder, coupling=way, forces="()")
                 done(["blockMesh"], folder)
                 done(["pimpleFoam"], folder)
-                fall[way] = box.read_dump(folder/"grains.dump")[1][0]
+                fall[way] = dumps.last(folder/"grains.dump")[1][0]
             size = 3e-3/n
             print(f"{f:4d} {size/(f*d):12.1f} {size/d:15.1f} "
                   f"{100*(fall['twoWay']/fall['oneWay'] - 1):31.1f} {math.pi/6*(f*d/size)**3:21.4f}")
@@ -226,12 +214,11 @@ def momentum(work):
             box.write(folder, steps=steps, delta_t=dt, cells="10 10 10")
             box.script(folder, dt=dt/10, grains=box.grains(x, [(0, 0, 1)]*n, d, 2500.0),
                        plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {f} model_check warn",
-                       end=f"dump d all custom {10*steps} grains.dump id vz\n"
-                       'dump_modify d format "%d %.16g"')
+                       end=scripts.dump(10*steps, "grains.dump", "id vz"))
             box.fv_options(folder, momentum=way, forces="()", voidFraction="{ model centre; minimum 0.3; }")
             done(["blockMesh"], folder)
             ran = grainjet.run(["pimpleFoam"], folder)
-            rows = list(box.read_dump(folder/"grains.dump").values()) if ran.code == 0 else []
+            rows = list(dumps.last(folder/"grains.dump").values()) if ran.code == 0 else []
             result = f"{numpy.mean(rows):12.4f}" if len(rows) == n else "    diverged"
             print(f"{ratio:16.1f}   {way}   {result} ({loading/(1 + loading):.4f})")
 
@@ -297,8 +284,8 @@ def statistics(folder):
 
 def jet(work):
     """Coarse-graining factor and fluid step in the jet of docs/tutorial.md."""
-    page = case_tutorial.PAGE.read_text()
-    start = case_tutorial.follow(page[:page.index("## 7. Run")], fresh(work/"jet"))
+    page = (grainjet.ROOT/"docs"/"tutorial.md").read_text()
+    start = pages.follow(page[:page.index("## 7. Run")], fresh(work/"jet"))
     end = 0.08
     print(f"\njet: the tutorial's jet, sampled from 0.02 to {end} s, rings up to r = 0.3 D joined")
     for f, fluid_step, dem_step in ((1, 1e-4, 1e-6), (2, 1e-4, 2e-6), (4, 1e-4, 4e-6), (8, 1e-4, 5e-6),

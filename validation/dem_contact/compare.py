@@ -1,7 +1,7 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """`fix hertz/cg` against the benchmark tests of Chung & Ooi, Granular Matter 13 (2011) 643.
 
-    compare.py <folder with digitised curves> [<picture.png>]
+    source environment; compare.py <folder with digitised curves> [<picture.png>]
 
 The folder holds test1_glass_force_time.csv, test1_glass_force_displacement.csv,
 test2_al_alloy_force_time.csv, test2_al_alloy_force_displacement.csv, test4_*.csv and
@@ -15,8 +15,7 @@ import pathlib
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "testing"))
-import impacts as im  # noqa: E402
+from grainjet import dumps, impacts as im, scripts
 
 GLASS = im.Material(48e9, 0.20, 1.0, 0.35)
 ALLOY_PLANE = im.Material(70e9, 0.30, 1.0, 0.0, rigid=True)
@@ -41,9 +40,9 @@ def interpolate(points, x):
 def history(folder, material, ball, speed, plane):
     """(time, overlap, force) in us, um, kN at every step of a contact."""
     im.run(folder, material, ball, [im.Impact(speed)], plane=plane,
-           extra='dump h all custom 1 history id x fx\ndump_modify h sort id format "%d %.17g %.17g"')
-    rows = [line.split() for line in (folder / "history").read_text().split("\n")]
-    one, other = ([list(map(float, r)) for r in rows if len(r) == 3 and r[0] == n] for n in ("1", "2"))
+           extra=scripts.dump(1, "history", "id x fx", "h"))
+    one, other = ([row for frame in dumps.frames(folder / "history") for row in frame.rows if row[0] == n]
+                  for n in (1, 2))
     dt = im.hertz(material, ball, speed, plane)[2] / 2000
     radii = ball.radius * (1 + (im.LARGE if plane else 1))
     touching = [(radii - (b[1] - a[1]), abs(a[2])) for a, b in zip(one, other) if a[2] != 0.0]

@@ -7,14 +7,15 @@ The axis is x; the mesh is a wedge of one cell about it, half on either side of 
 """
 
 import math
-import pathlib
 import re
 import shutil
 import subprocess
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+import grainjet
+from grainjet import dictionaries
+
 HALF_ANGLE = math.radians(2.5)
 
 #: the models compared: name -> coefficients of jetKEpsilon
@@ -55,21 +56,8 @@ relaxationFactors { fields { p 0.2; } equations { U %(relax)g; "(k|epsilon)" %(r
 """
 
 
-def write_dictionary(path, text, kind="dictionary"):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f"FoamFile {{ version 2.0; format ascii; class {kind}; object {path.name}; }}\n{text}\n")
-
-
-def write_field(case, name, dimensions, internal, boundaries):
-    """Write 0/<name>; boundaries: {patch or pattern: entries}."""
-    kind = "volVectorField" if str(internal).strip("uniform ").startswith("(") else "volScalarField"
-    patches = "\n".join(f'"{patch}" {{ {text} }}' for patch, text in boundaries.items())
-    write_dictionary(case/"0"/name,
-                     f"dimensions {dimensions};\ninternalField {internal};\nboundaryField\n{{\n{patches}\n}}", kind)
-
-
 def write_control(case, iterations, functions=""):
-    write_dictionary(case/"system/controlDict",
+    dictionaries.write(case/"system/controlDict",
                      'libs ("libjetTurbulenceModels.so");\nstartFrom latestTime; startTime 0; stopAt endTime;\n'
                      f"endTime {iterations}; deltaT 1; writeControl timeStep; writeInterval {iterations};\n"
                      "purgeWrite 1; writePrecision 10; runTimeModifiable no;\n"
@@ -79,20 +67,19 @@ def write_control(case, iterations, functions=""):
 def write_system(case, model, nu, residual=1e-7, relax=0.5):
     """Everything but mesh, fields and schemes."""
     write_control(case, 1)
-    write_dictionary(case/"system/fvSolution", SOLUTION % {"residual": residual, "relax": relax})
-    write_dictionary(case/"constant/transportProperties", f"transportModel Newtonian; nu {nu!r};")
-    write_dictionary(case/"constant/turbulenceProperties",
+    dictionaries.write(case/"system/fvSolution", SOLUTION % {"residual": residual, "relax": relax})
+    dictionaries.write(case/"constant/transportProperties", f"transportModel Newtonian; nu {nu!r};")
+    dictionaries.write(case/"constant/turbulenceProperties",
                      "simulationType RAS;\nRAS { RASModel jetKEpsilon; turbulence on; printCoeffs on; "
                      f"jetKEpsilonCoeffs {{ {MODELS[model]} }} }}")
 
 
 def run(case, *command):
-    """Run a program in a case with the project's environment; output goes to log.<program>."""
+    """Run a program in a case, out of the way of others; output goes to log.<program>."""
     log = case/f"log.{command[0]}"
     with log.open("w") as output:
-        code = subprocess.run(
-            ["bash", "-c", f"source '{ROOT}/environment' && exec nice -n 19 \"$@\"", "bash", *command],
-            cwd=case, stdout=output, stderr=subprocess.STDOUT, check=False).returncode
+        code = subprocess.run(["nice", "-n", "19", *command], cwd=case, env=grainjet.ENV, stdout=output,
+                              stderr=subprocess.STDOUT, check=False).returncode
     if code:
         raise RuntimeError(f"{command[0]} failed, see {log}")
 
@@ -101,13 +88,13 @@ def solve(case, iterations, start=None, upwind=500):
     """Steady solution: some iterations with upwind convection, which survives the start, then the
     rest with the second-order scheme; or, from the solution of another case, only those."""
     if start is None:
-        write_dictionary(case/"system/fvSchemes", re.sub(r"linearUpwind limited|limitedLinear 1", "upwind", SCHEMES))
+        dictionaries.write(case/"system/fvSchemes", re.sub(r"linearUpwind limited|limitedLinear 1", "upwind", SCHEMES))
         write_control(case, upwind)
         run(case, "simpleFoam")
     else:
         for name in ("U", "p", "k", "epsilon", "nut"):
             shutil.copy(latest(start)/name, case/"0"/name)
-    write_dictionary(case/"system/fvSchemes", SCHEMES)
+    dictionaries.write(case/"system/fvSchemes", SCHEMES)
     write_control(case, iterations)
     run(case, "simpleFoam")
     run(case, "postProcess", "-func", "writeCellCentres", "-latestTime")
@@ -119,11 +106,7 @@ def latest(case):
 
 def read_field(path):
     """Internal values of a field file, scalar (n) or vector (n, 3)."""
-    text = path.read_text()
-    body = text[text.index("internalField"):text.index("boundaryField")]
-    count, values = re.search(r"List<\w+>\s*(\d+)\s*\((.*)\)", body, re.DOTALL).groups()
-    array = numpy.array(values.replace("(", " ").replace(")", " ").split(), dtype=float)
-    return array if len(array) == int(count) else array.reshape(int(count), -1)
+    return numpy.array(dictionaries.internal(path))
 
 
 def structured(case, blocks, nx, skip=0):
@@ -190,6 +173,6 @@ def write_mesh(case, points, blocks, patches):
     """patches: {name: (type and other entries, [faces])}"""
     boundary = "\n".join(f"{name} {{ {kind} faces ({' '.join(faces)}); }}" for name, (kind, faces) in patches.items())
     newline = "\n"
-    write_dictionary(case/"system/blockMeshDict",
+    dictionaries.write(case/"system/blockMeshDict",
                      f"vertices (\n{points}\n);\nblocks (\n{newline.join(blocks)}\n);\nboundary (\n{boundary}\n);")
     run(case, "blockMesh")

@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import foam_case as foam
+from grainjet import dictionaries
 import pipe
 from round_jet import half_radius
 
@@ -51,20 +52,20 @@ def write(case, model, coflow, inflow):
 
     outside = f"uniform ({coflow} 0 0)"
     entrained = f"type pressureInletOutletVelocity; tangentialVelocity {outside}; value {outside};"
-    foam.write_field(case, "U", "[0 1 -1 0 0 0 0]", f"uniform ({max(coflow, 0.01)} 0 0)", {
+    dictionaries.write_field(case, "U", "[0 1 -1 0 0 0 0]", f"uniform ({max(coflow, 0.01)} 0 0)", {
         "inlet": f"type fixedValue; value nonuniform List<vector> {n_in} ({values('U')});", "wall": "type noSlip;",
         "base": f"type fixedValue; value {outside};" if coflow else entrained, "side": entrained,
         "outlet": "type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0);", **wedges})
     total = f"type totalPressure; p0 uniform {0.5*coflow**2!r}; value uniform 0;"
-    foam.write_field(case, "p", "[0 2 -2 0 0 0 0]", "uniform 0", {
+    dictionaries.write_field(case, "p", "[0 2 -2 0 0 0 0]", "uniform 0", {
         "inlet|wall": "type zeroGradient;", "base": "type zeroGradient;" if coflow else total, "side": total,
         "outlet": "type fixedValue; value uniform 0;", **wedges})
     for name, dimensions, air, wall in (("k", "[0 2 -2 0 0 0 0]", "uniform 1e-6", "type zeroGradient;"),
                                         ("epsilon", "[0 2 -3 0 0 0 0]", "uniform 1e-8", "type epsilonWallFunction; value uniform 1e-3;")):
-        foam.write_field(case, name, dimensions, air, {
+        dictionaries.write_field(case, name, dimensions, air, {
             "inlet": f"type fixedValue; value nonuniform List<scalar> {n_in} ({values(name)});", "wall": wall,
             "base|side|outlet": f"type inletOutlet; inletValue {air}; value {air};", **wedges})
-    foam.write_field(case, "nut", "[0 2 -1 0 0 0 0]", "uniform 1e-5", {
+    dictionaries.write_field(case, "nut", "[0 2 -1 0 0 0 0]", "uniform 1e-5", {
         "wall": "type nutUSpaldingWallFunction; value uniform 0;", "inlet|base|side|outlet": "type calculated; value uniform 1e-5;", **wedges})
 
 

@@ -23,6 +23,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import foam_case as foam
+from grainjet import dictionaries
 
 R, UB = 0.5, 1.0                               # D = 1
 CASES = (("", 13000), ("Retau550", 19000), ("Retau1K", 37700), ("", 40000))
@@ -59,8 +60,8 @@ def write(case, model, re, n):
         "wall": ("type wall;", [foam.axial_face(a, b, 1)]),
         "back": ("type wedge;", [back]), "front": ("type wedge;", [front]),
         "axis": ("type empty;", [foam.axial_face(a, b, 0)])})
-    foam.write_dictionary(case/"constant/fvOptions",
-                          f"drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar ({UB} 0 0); relaxation 0.5; }}")
+    dictionaries.write(case/"constant/fvOptions",
+                       f"drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar ({UB} 0 0); relaxation 0.5; }}")
     others = {"inlet|outlet": "type cyclic;", "back|front": "type wedge;", "axis": "type empty;"}
     for name, dimensions, value, wall in (
             ("U", "[0 1 -1 0 0 0 0]", f"({UB} 0 0)", "type noSlip;"),
@@ -68,7 +69,7 @@ def write(case, model, re, n):
             ("k", "[0 2 -2 0 0 0 0]", "0.005", "type zeroGradient;"),
             ("epsilon", "[0 2 -3 0 0 0 0]", "0.001", "type epsilonWallFunction; value uniform 0.001;"),
             ("nut", "[0 2 -1 0 0 0 0]", "0", "type nutUSpaldingWallFunction; value uniform 0;")):
-        foam.write_field(case, name, dimensions, f"uniform {value}", {"wall": wall, **others})
+        dictionaries.write_field(case, name, dimensions, f"uniform {value}", {"wall": wall, **others})
 
 
 def evaluate(case, n, re):

@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import foam_case as foam
+from grainjet import dictionaries
 
 LENGTH, RE = 100, 1e5            # D, U = 1, D = 1
 RADII = (0.5, 45), (10, 45)      # of the blocks' outer edges at x = 0 and at the end
@@ -51,19 +52,19 @@ def write(case, model, cells):
     epsilon = 0.09**0.75*k**1.5/0.07
     still = {"k": 1e-6, "epsilon": 1e-8}     # eddy viscosity of the order of nu
     wedges = {"back|front": "type wedge;", "axis": "type empty;"}
-    foam.write_field(case, "U", "[0 1 -1 0 0 0 0]", "uniform (0.01 0 0)", {
+    dictionaries.write_field(case, "U", "[0 1 -1 0 0 0 0]", "uniform (0.01 0 0)", {
         "inlet": "type fixedValue; value uniform (1 0 0);",
         "ambient": "type pressureInletOutletVelocity; value uniform (0 0 0);",
         "outlet": "type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0);", **wedges})
-    foam.write_field(case, "p", "[0 2 -2 0 0 0 0]", "uniform 0", {
+    dictionaries.write_field(case, "p", "[0 2 -2 0 0 0 0]", "uniform 0", {
         "inlet": "type zeroGradient;", "ambient": "type totalPressure; p0 uniform 0; value uniform 0;",
         "outlet": "type fixedValue; value uniform 0;", **wedges})
     for name, value, dimensions in (("k", k, "[0 2 -2 0 0 0 0]"), ("epsilon", epsilon, "[0 2 -3 0 0 0 0]")):
         air = f"uniform {still[name]}"
-        foam.write_field(case, name, dimensions, air, {
+        dictionaries.write_field(case, name, dimensions, air, {
             "inlet": f"type fixedValue; value uniform {value!r};",
             "ambient|outlet": f"type inletOutlet; inletValue {air}; value {air};", **wedges})
-    foam.write_field(case, "nut", "[0 2 -1 0 0 0 0]", "uniform 1e-5",
+    dictionaries.write_field(case, "nut", "[0 2 -1 0 0 0 0]", "uniform 1e-5",
                      {"inlet|ambient|outlet": "type calculated; value uniform 1e-5;", **wedges})
 
 

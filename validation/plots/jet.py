@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy
 
-import fields
+from grainjet import fields
 
 
 def main():

@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy
 
-import tables
+from grainjet import tables
 
 # Rings with fewer crossings say nothing about a mean or a deviation
 ENOUGH = 5

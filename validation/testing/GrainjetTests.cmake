@@ -1,8 +1,13 @@
 # Tests are found by themselves: drop a file into the folder `tests` of what it tests.
 #   <part>/tests/test_*.cpp   GoogleTest without any host (the headers of physics/)
 #   <part>/tests/case_*.py    a case-level test (Python unittest) that drives the real programs
-# A case-level test may state in a comment how many of the machine's processors it occupies:
+# A case-level test may state in comments how many of the machine's processors it occupies, and that it takes
+# more than 10 s on a free machine:
 #   # processors: 2
+#   # label: long
+# Labels for `ctest -L <label>`: unit (GoogleTest), fast (unit tests, and case-level ones of up to 10 s), long (the
+# others).
+# A case-level test finds the package grainjet and the modules of the part it tests by PYTHONPATH.
 
 find_package(GTest REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -21,24 +26,31 @@ function(grainjet_find_tests)
       target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/liggghts-plugins)
       target_link_libraries(${target} PRIVATE GTest::gtest_main)
       add_test(NAME ${part}.${name} COMMAND ${target})
+      set_tests_properties(${part}.${name} PROPERTIES LABELS "unit;fast")
     endforeach()
 
     file(GLOB_RECURSE casetests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/case_*.py)
     foreach(script ${casetests})
       get_filename_component(name ${script} NAME_WE)
-      get_filename_component(part ${script} DIRECTORY)
-      get_filename_component(part ${part} DIRECTORY)
-      get_filename_component(part ${part} NAME)
+      get_filename_component(folder_of_part ${script} DIRECTORY)
+      get_filename_component(folder_of_part ${folder_of_part} DIRECTORY)
+      get_filename_component(part ${folder_of_part} NAME)
       set(test ${part}.${name})
       add_test(NAME ${test} COMMAND ${Python3_EXECUTABLE} ${script} -v)
-      set(path ${CMAKE_SOURCE_DIR}/validation/testing)
       file(STRINGS ${script} line REGEX "^# processors: [0-9]+" LIMIT_COUNT 1)
       string(REGEX MATCH "[0-9]+" processors "${line}")
       if(NOT processors)
         set(processors 1)
       endif()
-      set_tests_properties(${test} PROPERTIES
-        ENVIRONMENT "PYTHONPATH=${path};PYTHONDONTWRITEBYTECODE=1"
+      file(STRINGS ${script} label REGEX "^# label: [a-z]+$" LIMIT_COUNT 1)
+      string(REGEX REPLACE "^# label: " "" label "${label}")
+      if(NOT label)
+        set(label fast)
+      elseif(NOT label STREQUAL "long")
+        message(FATAL_ERROR "${script}: the label '${label}' is not one of: long")
+      endif()
+      set_tests_properties(${test} PROPERTIES LABELS ${label}
+        ENVIRONMENT "PYTHONPATH=${CMAKE_SOURCE_DIR}/validation/testing:${folder_of_part};PYTHONDONTWRITEBYTECODE=1"
         PROCESSORS ${processors} TIMEOUT 900)
     endforeach()
   endforeach()

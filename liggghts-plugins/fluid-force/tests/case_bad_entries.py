@@ -1,12 +1,13 @@
 """Every word of fix fluid/force spoilt in every way; what makes forces that are no numbers; empty boxes."""
 # processors: 2
+# label: long
 
 import concurrent.futures
 import unittest
 
-import bad_input
 import grainjet
-from bad_input import Entry
+from grainjet import bad_input, pages
+from grainjet.bad_input import Entry
 
 SCRIPT = """
     plugin load fluidforceplugin.so
@@ -52,14 +53,14 @@ class Spoilt(grainjet.Case):
 
     def refused(self, result):
         self.assertEqual(result.code, 1, result)
-        errors = [line for line in result.output.splitlines() if "ERROR" in line]
+        errors = result.errors
         self.assertEqual(len(errors), 1, result)
         self.assertIn("Fix fluid/force (ID f)", errors[0])
         return errors[0]
 
     def test_the_page_has_these_entries(self):
         page = (grainjet.ROOT / "docs/fix_fluid_force.md").read_text()
-        names = ["uniform" if name == "ux uy uz" else name for name in bad_input.table_of_page(page, "Syntax")]
+        names = ["uniform" if name == "ux uy uz" else name for name in pages.table_of_page(page, "Syntax")]
         self.assertEqual(names, list(ENTRIES))
 
     def test_good_ones(self):

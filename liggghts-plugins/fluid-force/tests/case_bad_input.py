@@ -1,5 +1,6 @@
 """fix fluid/force: every bad value is one clear error that names the fix, and ends the run."""
 # processors: 2
+# label: long
 
 import unittest
 

@@ -12,6 +12,7 @@ import unittest
 import numpy
 
 import grainjet
+from grainjet import tables
 
 RHO, NU = 1.2, 1.5e-5           # air
 GRAIN = 2950.0                  # kg/m3
@@ -80,19 +81,7 @@ class Uniform(grainjet.Case):
             thermo {output}
             run {steps}
         """
-        return self.table(self.liggghts(script))
-
-    def table(self, result):
-        rows, reading = [], False
-        for line in result.output.splitlines():
-            words = line.split()
-            if words[:1] == ["Step"]:
-                reading = True
-            elif line.startswith("Loop time"):
-                reading = False
-            elif reading and words and words[0].isdigit():
-                rows.append([float(w) for w in words])
-        return numpy.array(rows)
+        return numpy.array(tables.thermo(self.liggghts(script).output))
 
     def test_terminal_velocity(self):
         """v settles where drag = weight - buoyancy. The scheme's fixed point is that root, so

@@ -1,8 +1,7 @@
 """A cloud of grains in a box, and what the tests of fix fluid/force on several ranks share."""
 
-import numpy
-
 import grainjet
+from grainjet import dumps, tables
 
 PROBE = grainjet.ROOT / "lib" / "tests" / "exchangeprobeplugin.so"
 
@@ -33,19 +32,12 @@ class FluidCase(grainjet.Case):
 
     def vector(self, result, names):
         """Values of `print` lines `name = value`."""
-        found = {}
-        for line in result.output.splitlines():
-            words = line.split()
-            if len(words) == 3 and words[1] == "=" and words[0] in names:
-                found[words[0]] = float(words[2])
+        found = tables.printed(result.output)
         return [found[name] for name in names]
 
     def dump(self, name):
         """Columns of a dump file's last frame, by atom ID."""
-        lines = (self.folder / name).read_text().splitlines()
-        start = max(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-        rows = numpy.array([[float(w) for w in line.split()] for line in lines[start + 1:]])
-        return rows[numpy.argsort(rows[:, 0])]
+        return dumps.array(self.folder / name)
 
     # 2000 grains at set places, each with a velocity of its own, moving through all ranks
     CLOUD = """

@@ -1,13 +1,14 @@
 # processors: 2
+# label: long
 """Every word of fix hertz/cg spoilt in every way: one error each that names the fix, and no run."""
 
 import concurrent.futures
 import unittest
 
-import bad_input
 import granular as g
 import grainjet
-from bad_input import Entry
+from grainjet import bad_input, pages
+from grainjet.bad_input import Entry
 
 ENTRIES = {
     "model": Entry("choice", "hertz"),
@@ -44,7 +45,7 @@ class BadEntries(grainjet.Case):
 
     def test_the_page_has_these_entries(self):
         page = (grainjet.ROOT / "docs/fix_hertz_cg.md").read_text()
-        names = [name.split()[0] for name in bad_input.table_of_page(page, "Syntax")]
+        names = [name.split()[0] for name in pages.table_of_page(page, "Syntax")]
         self.assertEqual([name for name in names if name != "rolling_friction"], list(ENTRIES))
 
     def test_each_entry(self):
@@ -54,7 +55,7 @@ class BadEntries(grainjet.Case):
             results = list(pool.map(lambda n: self.end(lines[n], name=f"in.{n}"), range(len(lines))))
         for bad, result in zip(every, results):
             with self.subTest(f"{bad.entry}: {bad.what}"):
-                errors = [line for line in result.output.splitlines() if "ERROR" in line]
+                errors = result.errors
                 if bad.must_fail:
                     self.assertEqual(result.code, 1, result)
                     self.assertEqual(len(errors), 1, result)

@@ -1,10 +1,10 @@
 # processors: 2
+# label: long
 """What a user may get wrong with fix hertz/cg and coarsegraining: one clear error each, serial and on
 two ranks, with an exit code other than 0."""
 
 import unittest
 
-import granular as g
 from grainjet import Case
 
 DATA = """two grains

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """What happens to the grains between runs and in an empty box: fix hertz/cg against the stock pair style. A grain that
 is nowhere, or gets there too fast, ends the run with one message that names it."""
 

@@ -1,12 +1,13 @@
 """The command coarsegraining: factors before and after the box, and its words spoilt in every way."""
 # processors: 2
+# label: long
 
 import concurrent.futures
 import unittest
 
-import bad_input
 import grainjet
-from bad_input import Entry
+from grainjet import bad_input, pages, tables
+from grainjet.bad_input import Entry
 
 HEAD = """
 plugin load hertzcgplugin.so
@@ -51,7 +52,7 @@ class Command(grainjet.Case):
 
     def refused(self, result):
         self.assertEqual(result.code, 1, result)
-        errors = [line for line in result.output.splitlines() if "ERROR" in line]
+        errors = result.errors
         self.assertEqual(len(errors), 1, result)
         self.assertIn("Command coarsegraining", errors[0])
         self.assertNotIn("Setting up run", result.output)
@@ -64,7 +65,7 @@ class Command(grainjet.Case):
 
     def test_the_page_has_these_entries(self):
         page = (grainjet.ROOT / "docs/coarsegraining.md").read_text()
-        self.assertEqual(bad_input.table_of_page(page, "Words"), ["f [f2 ... fn]", "model_check"])
+        self.assertEqual(pages.table_of_page(page, "Words"), ["f [f2 ... fn]", "model_check"])
 
     def test_each_word(self):
         every = [bad for bad in bad_input.spoil(ENTRIES, KINDS) if bad.lines or bad.entry == "model_check"]
@@ -102,10 +103,10 @@ class Command(grainjet.Case):
         for before, box in (("coarsegraining 2 5", "create_box 2 box"), ("", "create_box 2 box\ncoarsegraining 2 5")):
             result = self.end(before, box=box, after="timestep 1e-5\n" + mixture)
             self.assertEqual(self.factors(result), ["2", "5"])
-            rows = [line.split() for line in result.output.splitlines() if line.split()[1:2] == ["10"] and len(line.split()) == 4]
-            self.assertTrue(rows, result)
-            printed.append(rows[-1][2:])
-            self.assertEqual([float(value) for value in rows[-1][2:]], [0.05, 0.02])
+            _, atoms, *radii = tables.thermo(result.output)[-1]
+            self.assertEqual(atoms, 10)
+            printed.append(radii)
+            self.assertEqual(radii, [0.05, 0.02])
         self.assertEqual(printed[0], printed[1])
 
     def test_wrong_number(self):

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Bookkeeping of fix hertz/cg: kinetic + elastic + dissipated energy of grains in a periodic box."""
 
 import re

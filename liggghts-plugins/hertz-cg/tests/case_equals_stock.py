@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """fix hertz/cg against the stock `pair_style gran model hertz` on the same grains."""
 
 import re

@@ -5,35 +5,15 @@
 import unittest
 
 import granular as g
-from grainjet import Case
-
-
-def facets(name, triangles):
-    text = f"solid {name}\n"
-    for a, b, c in triangles:
-        text += "facet normal 0 0 1\nouter loop\n"
-        text += "".join(f"vertex {x} {y} {z}\n" for x, y, z in (a, b, c))
-        text += "endloop\nendfacet\n"
-    return text + f"endsolid {name}\n"
-
-
-def square(half, z, parts=1):
-    """A horizontal square of 2 parts^2 triangles around the z axis."""
-    step, out = 2.0 * half / parts, []
-    for i in range(parts):
-        for j in range(parts):
-            x, y = -half + i * step, -half + j * step
-            a, b, c, d = (x, y, z), (x + step, y, z), (x + step, y + step, z), (x, y + step, z)
-            out += [(a, b, c), (a, c, d)]
-    return out
+from grainjet import Case, scripts
 
 
 class InsertionAndWalls(Case):
 
     def setUp(self):
         super().setUp()
-        (self.folder / "face.stl").write_text(facets("face", square(0.0025, 0.001)))
-        (self.folder / "plate.stl").write_text(facets("plate", square(0.002, 0.017, parts=5)))
+        (self.folder / "face.stl").write_text(scripts.stl(*g.square(0.0025, 0.001)))
+        (self.folder / "plate.stl").write_text(scripts.stl(*g.square(0.002, 0.017, parts=5)))
 
     def run_case(self, kind, ranks=0, steps=8000, sideways="0.1"):
         name = f"{kind}{ranks}{sideways}"

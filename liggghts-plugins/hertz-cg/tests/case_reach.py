@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """fix hertz/cg chooses its reach again during a run that starts in an empty box, with meshes that stand still and that
 move: the same grains as with the stock pair style, on any number of ranks, and continued bit for bit."""
 
@@ -6,8 +7,7 @@ import re
 import unittest
 
 import granular as g
-from case_insertion_and_walls import facets, square
-from grainjet import Case
+from grainjet import Case, scripts
 
 BOX = 0.02
 
@@ -16,7 +16,7 @@ class Reach(Case):
 
     def setUp(self):
         super().setUp()
-        (self.folder / "floor.stl").write_text(facets("floor", square(0.0095, 0.0, parts=20)))
+        (self.folder / "floor.stl").write_text(scripts.stl(*g.square(0.0095, 0.0, parts=20)))
 
     def script(self, kind, name, boundary="f f f", neighbor="neighbor 0.0005 bin", grains=300, move="", tail="run 2000",
                source=None, filled="0.004 0.018", wall=True):

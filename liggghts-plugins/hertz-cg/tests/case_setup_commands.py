@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Every variant of the commands that set up a run: fix hertz/cg gives what the stock pair style gives, or refuses in
 words that name the remedy. Rows of docs/stock_commands.md."""
 

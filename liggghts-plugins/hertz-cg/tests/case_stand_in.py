@@ -5,7 +5,7 @@ of it."""
 import unittest
 
 import granular as g
-from grainjet import Case
+from grainjet import Case, tables
 
 
 class StandIn(Case):
@@ -105,7 +105,7 @@ class TwoImages(Case):
                     + "fix c all hertz/cg tangential_damping off\nfix i all nve/sphere\ntimestep 2e-7\n" + more
                     + "compute k all ke\ncompute r all erotate/sphere\nvariable e equal c_k+c_r+f_c[6]+f_c[7]\nvariable n equal f_c[1]\n"
                     "thermo_style custom step v_n v_e\nthermo 100\nrun 3000\n", ranks)
-                rows = [list(map(float, line.split())) for line in result.output.split("\n") if len(line.split()) == 3 and line.split()[0].isdigit()]
+                rows = tables.thermo(result.output)
                 self.assertEqual(max(row[1] for row in rows), 2, "never touched on both sides")
                 for row in rows:
                     self.assertAlmostEqual(row[2], rows[0][2], delta=0.01 * rows[0][2])

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Stock computes, fixes and commands that ask the pair style for its contacts, beside fix hertz/cg: they
 give what they give beside the stock pair style, on the same grains."""
 
@@ -184,7 +185,7 @@ class StockCommands(Case):
     def test_overlapping_grains_deleted(self):
         """Of grains on a grid every second has another one near it, which goes. Which of the two it is
         depends on the order of the host's lists."""
-        text = f"pairs\n\n125 atoms\n2 atom types\n" + "".join(f"0 {self.box} {a}lo {a}hi\n" for a in "xyz") + "\nAtoms\n\n"
+        text = "pairs\n\n125 atoms\n2 atom types\n" + "".join(f"0 {self.box} {a}lo {a}hi\n" for a in "xyz") + "\nAtoms\n\n"
         places = [[0.001 + 0.0029 * n for n in (i % 5, i // 5 % 5, i // 25)] for i in range(100)]
         places += [[x + 0.0005, y, z] for x, y, z in places[:50:2]]
         for i, place in enumerate(places, 1):

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """The stock program's own example scripts with `pair_style gran model hertz`: the pair style goes out, the fix
 comes in with the same words, nothing else changes. Both ways give the same energies and numbers of grains.
 
@@ -12,6 +13,7 @@ import shutil
 import unittest
 
 import grainjet
+from grainjet import tables
 
 # folder, script, step at which long runs end
 RUN = (
@@ -54,16 +56,6 @@ def reordered(text):
     return re.sub(r"(?m)^(\s*create_box.*)$", r"\1\natom_modify sort 0 0", text)
 
 
-def thermo(output):
-    """Rows of numbers of the thermo tables."""
-    found = []
-    for line in output.split("\n"):
-        words = line.split()
-        if len(words) > 3 and all(re.fullmatch(r"-?[\d.]+(?:e[-+]?\d+)?", word) for word in words):
-            found.append([float(word) for word in words])
-    return found
-
-
 class StockExamples(grainjet.Case):
 
     def run_example(self, example, script, steps, name, edit, ranks=0, check=True):
@@ -83,10 +75,10 @@ class StockExamples(grainjet.Case):
     def test_two_lines_changed(self):
         for example, script, steps in RUN:
             with self.subTest(script=script):
-                stock = thermo(self.run_example(example, script, steps, "stock", forgetful).output)
-                other = thermo(self.run_example(example, script, steps, "other", lambda t: reordered(forgetful(t))).output)
+                stock = tables.thermo(self.run_example(example, script, steps, "stock", forgetful).output)
+                other = tables.thermo(self.run_example(example, script, steps, "other", lambda t: reordered(forgetful(t))).output)
                 printed = self.run_example(example, script, steps, "plugin", counted).output
-                mine = thermo(printed)
+                mine = tables.thermo(printed)
                 collisions = int(re.search(r"(?m)^collisions: (\d+)", printed).group(1))
                 self.assertGreater(len(stock), 3)
                 self.assertEqual(len(stock), len(mine))
@@ -121,7 +113,7 @@ class StockExamples(grainjet.Case):
             (folder / "in.continued").write_text(text)
             result = grainjet.run(["liggghts-plugins", "-in", "in.continued"], folder)
             self.assertEqual(result.code, 0, result)
-            self.assertGreater(thermo(result.output)[-1][1], 20)
+            self.assertGreater(tables.thermo(result.output)[-1][1], 20)
 
     def test_what_is_refused_says_so(self):
         for example, script, words in REFUSED:

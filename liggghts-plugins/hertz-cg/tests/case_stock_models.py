@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """The words of the stock `pair_style gran model hertz` mean the same after `fix hertz/cg`: forces and torques
 of both programs on the same grains, with and without coarse graining, and the energy they keep."""
 

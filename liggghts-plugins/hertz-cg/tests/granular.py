@@ -4,6 +4,8 @@ random assemblies, dumps with all digits."""
 import math
 import random
 
+from grainjet import dumps, scripts
+
 MATERIAL = """
 fix m1 all property/global youngsModulus peratomtype 5.e6 8.e6
 fix m2 all property/global poissonsRatio peratomtype 0.3 0.25
@@ -50,21 +52,12 @@ def load(kind):
 
 
 def dump(every, name="dump.txt"):
-    layout = " ".join(["%d"] + ["%.17g"] * (len(COLUMNS) - 1))
-    return (f"dump d all custom {every} {name} {' '.join(COLUMNS)}\n"
-            f'dump_modify d sort id format "{layout}"\n')
+    return scripts.dump(every, name, " ".join(COLUMNS))
 
 
 def read_dump(path):
     """{step: {id: [numbers in COLUMNS]}}"""
-    frames, lines, i = {}, path.read_text().split("\n"), 0
-    while i < len(lines) and lines[i].startswith("ITEM: TIMESTEP"):
-        step, n = int(lines[i + 1]), int(lines[i + 3])
-        i += 9
-        rows = [[float(w) for w in line.split()] for line in lines[i:i + n]]
-        frames[step] = {int(row[0]): row for row in rows}
-        i += n
-    return frames
+    return {frame.step: {int(row[0]): row for row in frame.rows} for frame in dumps.frames(path)}
 
 
 def difference(a, b, columns):
@@ -93,6 +86,16 @@ def last_digit(data):
     return before + "\nAtoms\n\n" + "".join(moved) + "\nVelocities\n" + after
 
 
+def square(half, z, parts=1):
+    """A horizontal square of 2 parts^2 triangles around the z axis."""
+    step, out = 2.0 * half / parts, []
+    for i in range(parts):
+        for j in range(parts):
+            x, y = -half + i * step, -half + j * step
+            out += scripts.rectangle((x, y, z), (x + step, y, z), (x + step, y + step, z), (x, y + step, z))
+    return out
+
+
 def assembly(n, box, diameters, speed, spin, seed=3, clearance=0.0, types=(1, 2),
              stream=(0.0, 0.0, 0.0)):
     """A data file of n grains at random places; clearance > 0: none touches another, by that
@@ -108,12 +111,7 @@ def assembly(n, box, diameters, speed, spin, seed=3, clearance=0.0, types=(1, 2)
             if not all(map(far, grains)):
                 continue
         grains.append((d, x))
-    text = f"grains\n\n{n} atoms\n{max(types)} atom types\n"
-    text += "".join(f"0 {box} {a}lo {a}hi\n" for a in "xyz") + "\nAtoms\n\n"
-    for i, (d, x) in enumerate(grains, 1):
-        text += f"{i} {rng.choice(types)} {d} 2500 {x[0]!r} {x[1]!r} {x[2]!r}\n"
-    text += "\nVelocities\n\n"
-    for i in range(1, n + 1):
-        row = [rng.gauss(mean, speed) for mean in stream] + [rng.gauss(0, spin) for _ in range(3)]
-        text += f"{i} " + " ".join(map(repr, row)) + "\n"
-    return text
+    kinds = [rng.choice(types) for _ in grains]
+    rows = [(kind, d, 2500, x, [rng.gauss(mean, speed) for mean in stream], [rng.gauss(0, spin) for _ in range(3)])
+            for kind, (d, x) in zip(kinds, grains)]
+    return scripts.data(rows, ((0, box),) * 3, max(types))

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Libraries that are cut short, half written, empty or no libraries: one message, no crash."""
 
 import random
@@ -31,7 +32,7 @@ class DamagedPlugin(LoaderCase):
         path.write_bytes(contents)
         result = self.liggghts("plugin load exampleplugin.so\n", ranks=ranks, check=False)
         self.assertGreater(result.code, 0, result)      # not by a signal
-        errors = [line for line in result.output.splitlines() if "ERROR" in line]
+        errors = result.errors
         self.assertEqual(len(errors), 1, result)
         self.assertRegex(errors[0], "is damaged|cannot be loaded")
         self.assertIn(str(path.resolve()), errors[0])

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Folders and files of any name: of the installation, of plugins, of the working folder."""
 
 import unittest

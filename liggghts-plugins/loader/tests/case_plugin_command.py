@@ -1,10 +1,11 @@
 # processors: 2
+# label: long
 """The `plugin` command in stock LIGGGHTS: load, list, clear, and what it survives."""
 
 import unittest
 
-import bad_input
 import grainjet
+from grainjet import bad_input, pages
 from loadercase import BOX, COUNT, USE, LoaderCase, counts
 
 
@@ -90,7 +91,7 @@ class PluginCommand(LoaderCase):
         entries = {"load": bad_input.Entry("file", "exampleplugin.so"), "list": bad_input.Entry("none", ""),
                    "clear": bad_input.Entry("none", "")}
         page = (grainjet.ROOT / "docs/loader.md").read_text()
-        words = [name.split()[0] for name in bad_input.table_of_page(page, "Commands")]
+        words = [name.split()[0] for name in pages.table_of_page(page, "Commands")]
         self.assertEqual([word for word in words if word in entries], list(entries))
         self.plugin()
         for word, entry in entries.items():

@@ -1,4 +1,5 @@
 # processors: 2
+# label: long
 """Where plugin files are searched, and files that are refused."""
 
 import subprocess

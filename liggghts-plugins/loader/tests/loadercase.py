@@ -1,6 +1,7 @@
 """What the loader's tests share: their plugins and a script with nothing but a box."""
 
 import grainjet
+from grainjet import tables
 
 PLUGINS = grainjet.ROOT / "lib/tests"
 
@@ -29,9 +30,7 @@ USE = BOX + COUNT
 
 def counts(output):
     """(step, value of fix `count`) of all thermo lines of a run's output."""
-    rows = [line.split() for line in output.splitlines()]
-    return [(int(row[0]), float(row[1])) for row in rows
-            if len(row) == 2 and row[0].isdigit() and row[1].replace(".", "").isdigit()]
+    return [tuple(row) for row in tables.thermo(output)]
 
 
 class LoaderCase(grainjet.Case):
@@ -52,7 +51,7 @@ class LoaderCase(grainjet.Case):
         """Ends with one error that holds the words, without mpirun and on 2 ranks."""
         for result in self.each(script, check=False, **keywords):
             self.assertFails(result, *words)
-            errors = [line for line in result.output.splitlines() if "ERROR" in line]
+            errors = result.errors
             self.assertEqual(len(errors), 1, result)
             for word in words:
                 self.assertIn(word, errors[0])

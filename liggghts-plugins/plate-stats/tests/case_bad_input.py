@@ -1,6 +1,7 @@
 """fix plate/stats: every entry missing, misspelt, twice, of the wrong kind or out of range; a wall, units
 or settings that it cannot work with. One error on every rank, before any step."""
 # processors: 2
+# label: long
 
 import unittest
 

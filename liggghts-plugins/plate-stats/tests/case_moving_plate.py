@@ -1,10 +1,12 @@
 """fix plate/stats on a wall that moves: speeds, angles and energies against the surface, a plate
 that goes along with its mesh."""
 # processors: 2
+# label: long
 
 import math
 import unittest
 
+from grainjet import scripts
 from plate_case import D, MASS, MESH, PLANE, PLATE, PlateCase
 
 R = D / 2
@@ -107,7 +109,7 @@ class MovingPlate(PlateCase):
         for mover, axis, motion in (
                 (f"rotate origin 0 0 0 axis 0 0 1 period {period}", (0, 0, 1), whole),
                 (f"rotate origin 0 0 0 axis 0 1 0 period {period}", (0, 1, 0), whole),
-                (f"rotate/variable origin 0 0 0 axis 0 1 0 omega v_omega", (0, 1, 0), whole),
+                ("rotate/variable origin 0 0 0 axis 0 1 0 omega v_omega", (0, 1, 0), whole),
                 (f"riggle origin 0 0 0 axis 0 1 0 period {beat} amplitude {swing}", (0, 1, 0), rocking),
                 (f"vibrot origin 0 0 0 axis 0 1 0 order 1 amplitude {small} phase 0 period {beat}",
                  (0, 1, 0), vibrating)):
@@ -201,9 +203,8 @@ class MovingPlate(PlateCase):
         of two meshes that move alike is one plate."""
         thin = R / 2
         for name, half in (("left.stl", -1), ("right.stl", 1)):
-            corners = ((0, -0.002), (0, 0.002), (half * 0.002, 0))
-            (self.folder / name).write_text("solid s\nfacet normal 0 0 1\nouter loop\n" + "".join(
-                f"vertex {x} {y} {thin!r}\n" for x, y in corners) + "endloop\nendfacet\nendsolid s\n")
+            (self.folder / name).write_text(scripts.stl(
+                ((0, -0.002, thin), (0, 0.002, thin), (half * 0.002, 0, thin))))
         wall = """
             fix disc all mesh/surface file disc.stl type 1
             fix left all mesh/surface file left.stl type 1

@@ -1,5 +1,6 @@
 """fix plate/stats: files that exist and are not its own are never overwritten; its own are."""
 # processors: 2
+# label: long
 
 import os
 import unittest
@@ -54,7 +55,7 @@ class OutputFiles(PlateCase):
                  "empty": "not overwritten", "half": "not overwritten", "pipe": "pipe",
                  "link": "symbolic link", "dangling": "symbolic link", "hard": "not overwritten",
                  "sub": "directory", ".": "directory", "/": "directory", "/dev/null": "device",
-                 "/dev/stdout": "", "/proc/self/exe": "", "grains.data": "not overwritten",
+                 "/dev/stdout": "symbolic link", "/proc/self/exe": "symbolic link", "grains.data": "not overwritten",
                  "no/such/plate.csv": "cannot write", "keep.csv/plate.csv": "cannot write",
                  "x" * 300: "cannot write"}
         for path, words in cases.items():

@@ -6,6 +6,7 @@ import math
 import shutil
 
 import grainjet
+from grainjet import scripts
 
 D, RHO = 80e-6, 2950.0
 MASS = math.pi / 6 * D ** 3 * RHO
@@ -62,12 +63,8 @@ class PlateCase(grainjet.Case):
 
     def data(self, grains, name="grains.data", bottom=-0.001):
         """A data file with grains (x, y, z, vx, vy, vz)."""
-        lines = ["grains", "", f"{len(grains)} atoms", "1 atom types", "",
-                 "-0.01 0.01 xlo xhi", "-0.01 0.01 ylo yhi", f"{bottom} 0.02 zlo zhi", "", "Atoms", ""]
-        lines += [f"{i} 1 {D!r} {RHO!r} {g[0]!r} {g[1]!r} {g[2]!r}" for i, g in enumerate(grains, 1)]
-        lines += ["", "Velocities", ""]
-        lines += [f"{i} {g[3]!r} {g[4]!r} {g[5]!r} 0 0 0" for i, g in enumerate(grains, 1)]
-        (self.folder / name).write_text("\n".join(lines) + "\n")
+        (self.folder / name).write_text(scripts.data(
+            [(1, D, RHO, g[:3], g[3:]) for g in grains], ((-0.01, 0.01), (-0.01, 0.01), (bottom, 0.02))))
 
     def script(self, body, e=1.0, mu=0.2, dt=1e-7, gravity=0.0, processors="* 1 1",
                read="read_data grains.data", before="", wall=PLANE, pair=PAIR, young=YOUNG,
@@ -82,12 +79,8 @@ class PlateCase(grainjet.Case):
         """An STL disc around the z axis, normal along z, cut like a cake."""
         corner = [(radius * math.cos(2 * math.pi * i / sectors),
                    radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors + 1)]
-        text = "solid disc\n"
-        for p, q in zip(corner, corner[1:]):
-            text += f"facet normal 0 0 1\nouter loop\nvertex 0 0 {height!r}\n"
-            text += f"vertex {p[0]:.9e} {p[1]:.9e} {height!r}\nvertex {q[0]:.9e} {q[1]:.9e} {height!r}\n"
-            text += "endloop\nendfacet\n"
-        (self.folder / name).write_text(text + "endsolid disc\n")
+        (self.folder / name).write_text(scripts.stl(
+            *(((0, 0, height), (*p, height), (*q, height)) for p, q in zip(corner, corner[1:]))))
 
     def side_by_side(self, scripts):
         """Results of short scripts, each in a folder of its own: most of their time is MPI's start."""

@@ -11,7 +11,7 @@ import unittest
 import numpy
 
 import grainjet
-import homogeneous_box as box
+from grainjet import dictionaries
 
 R, MEAN, N = 0.0075, 13.0, 7
 PEAK = MEAN*(N + 1)*(2*N + 1)/(2*N**2)        # Eq. (23)
@@ -25,42 +25,33 @@ def profile(r):
 class Inlet(grainjet.Case):
 
     def write(self, folder):
-        for name in ("0", "constant", "system"):
-            (folder/name).mkdir(parents=True)
-
-        def put(name, text, kind="dictionary"):
-            (folder/name).write_text(box.HEADER.format(kind, name.split("/")[1]) + text)
-
-        corners = " ".join(f"({x} {y} {z})" for z in (0, 0.03)
-                           for x, y in ((-R, -R), (R, -R), (R, R), (-R, R)))
-        put("system/blockMeshDict",
-            f"vertices ({corners}); blocks (hex (0 1 2 3 4 5 6 7) ({SIDE} {SIDE} 4) simpleGrading (1 1 1));\n"
-            "boundary ( inlet { type patch; faces ((0 3 2 1)); } outlet { type patch; faces ((4 5 6 7)); }\n"
-            "sides { type patch; faces ((0 1 5 4)(1 2 6 5)(2 3 7 6)(3 0 4 7)); } );")
-        put("system/decomposeParDict", "numberOfSubdomains 2; method simple; simpleCoeffs { n (2 1 1); delta 0.001; }")
-        put("system/fvSchemes", """
+        dictionaries.write_all(folder, {
+            "system/blockMeshDict": dictionaries.block(
+                (-R, -R, 0), (R, R, 0.03), f"{SIDE} {SIDE} 4",
+                {"inlet": ("patch", "zlo"), "outlet": ("patch", "zhi"), "sides": ("patch", "xlo xhi ylo yhi")}),
+            "system/decomposeParDict": "numberOfSubdomains 2; method simple; simpleCoeffs { n (2 1 1); delta 0.001; }",
+            "system/fvSchemes": """
 ddtSchemes { default Euler; } gradSchemes { default Gauss linear; } divSchemes { default Gauss linear; }
 laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }""")
-        put("system/fvSolution", """
+snGradSchemes { default corrected; }""",
+            "system/fvSolution": """
 solvers { ".*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-8; relTol 0; }
 "p.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; } }
-PIMPLE { nCorrectors 2; }""")
-        put("constant/transportProperties", "transportModel Newtonian; nu 1.5e-05;")
-        put("constant/turbulenceProperties", "simulationType laminar;")
-        put("0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);\nboundaryField {\n"
-            "inlet { type exprFixedValue; value uniform (0 0 0); valueExpr \"vector(0, 0, "
-            f"{PEAK!r}*pow(max(1 - sqrt(sqr(pos().x()) + sqr(pos().y()))/{R}, 0), {1/N!r}))\"; }}\n"
-            "outlet { type zeroGradient; } sides { type slip; } }", "volVectorField")
-        put("0/p", "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;\n"
-            "boundaryField { outlet { type fixedValue; value uniform 0; } \"inlet|sides\" { type zeroGradient; } }",
-            "volScalarField")
+PIMPLE { nCorrectors 2; }""",
+            "constant/transportProperties": "transportModel Newtonian; nu 1.5e-05;",
+            "constant/turbulenceProperties": "simulationType laminar;"})
+        dictionaries.write_field(folder, "U", "0 1 -1", "(0 0 0)", {
+            "inlet": 'type exprFixedValue; value uniform (0 0 0); valueExpr "vector(0, 0, '
+                     f'{PEAK!r}*pow(max(1 - sqrt(sqr(pos().x()) + sqr(pos().y()))/{R}, 0), {1/N!r}))";',
+            "outlet": "type zeroGradient;", "sides": "type slip;"})
+        dictionaries.write_field(folder, "p", "0 2 -2", 0, {
+            "outlet": "type fixedValue; value uniform 0;", "inlet|sides": "type zeroGradient;"})
 
     def control(self, folder, end):
-        (folder/"system/controlDict").write_text(
-            box.HEADER.format("dictionary", "controlDict")
-            + f"startFrom latestTime; startTime 0; stopAt endTime; endTime {end}; deltaT 1e-5; writeControl timeStep;\n"
-            + "writeInterval 2; writePrecision 12; timePrecision 8; runTimeModifiable no;\n")
+        dictionaries.write(
+            folder/"system/controlDict",
+            f"startFrom latestTime; startTime 0; stopAt endTime; endTime {end}; deltaT 1e-5; writeControl timeStep;\n"
+            "writeInterval 2; writePrecision 12; timePrecision 8; runTimeModifiable no;")
 
     def inlet(self, folder, time):
         text = (folder/time/"U").read_text()

@@ -8,6 +8,7 @@ import unittest
 
 import grainjet
 import homogeneous_box as box
+from grainjet import dictionaries
 
 REST = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
 
@@ -15,9 +16,9 @@ REST = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
 class Entries(grainjet.Case):
 
     def properties(self, ras, beside=""):
-        (self.folder/"constant/turbulenceProperties").write_text(
-            box.HEADER.format("dictionary", "turbulenceProperties")
-            + f"simulationType RAS;\n{beside}\nRAS {{ RASModel jetKEpsilon; turbulence on; printCoeffs on; {ras} }}\n")
+        dictionaries.write(
+            self.folder/"constant/turbulenceProperties",
+            f"simulationType RAS;\n{beside}\nRAS {{ RASModel jetKEpsilon; turbulence on; printCoeffs on; {ras} }}")
 
     def history(self):
         """Run; what the run writes and the log."""
@@ -67,10 +68,10 @@ class Entries(grainjet.Case):
         self.foam("blockMesh")
         unedited, _ = self.history()
 
-        control = (self.folder/"system/controlDict").read_text().replace(
-            "runTimeModifiable no;", "runTimeModifiable yes; OptimisationSwitches { fileModificationSkew 0; }")
-        head, functions = control.split("functions\n{")
-        (self.folder/"system/controlDict").write_text(head + """functions
+        dictionaries.change(
+            self.folder/"system/controlDict",
+            ("runTimeModifiable no;", "runTimeModifiable yes; OptimisationSwitches { fileModificationSkew 0; }"),
+            ("functions\n{", """functions
 {
     edit
     {
@@ -78,7 +79,7 @@ class Entries(grainjet.Case):
         fileToUpdate "<case>/constant/turbulenceProperties";
         timeVsFile ((-1 "<case>/before") (1 "<case>/after"));
     }
-""".replace("<case>", str(self.folder)) + functions)
+""".replace("<case>", str(self.folder))))
         for ras, warning in (("jetKEpsilonCoeffs { C1 -1; }", "C1 -1 must"),
                              ("jetKEpsilonCoeffs { c1 1; }", "Unknown entry c1"),
                              ("jetKEpsilonCoeffs { C2 1.7; }", None)):
@@ -99,8 +100,7 @@ class Entries(grainjet.Case):
 
     def test_compressible_solver(self):
         box.write(self.folder, "jetKEpsilon", REST, 1, 1, 0.1, 1)
-        (self.folder/"constant/thermophysicalProperties").write_text(
-            box.HEADER.format("dictionary", "thermophysicalProperties") + """
+        dictionaries.write(self.folder/"constant/thermophysicalProperties", """
 thermoType
 {
     type hePsiThermo; mixture pureMixture; transport const; thermo hConst;
@@ -108,10 +108,8 @@ thermoType
 }
 mixture { specie { molWeight 28.9; } thermodynamics { Cp 1005; Hf 0; } transport { mu 1.8e-05; Pr 0.7; } }
 """)
-        for name, dimensions, value in (("T", "[0 0 0 1 0 0 0]", 300), ("p", "[1 -1 -2 0 0 0 0]", 1e5)):
-            (self.folder/"0"/name).write_text(
-                box.HEADER.format("volScalarField", name) + f"dimensions {dimensions}; internalField uniform {value};\n"
-                'boundaryField { ".*" { type zeroGradient; } }\n')
+        for name, dimensions, value in (("T", "[0 0 0 1 0 0 0]", 300), ("p", "1 -1 -2", 1e5)):
+            dictionaries.write_field(self.folder, name, dimensions, value, {".*": "type zeroGradient;"})
         self.foam("blockMesh")
         self.assertFails(self.foam("rhoPimpleFoam", check=False),
                          "jetKEpsilon is for incompressible solvers", "turbulenceProperties")

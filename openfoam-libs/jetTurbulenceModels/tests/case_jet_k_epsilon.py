@@ -10,6 +10,7 @@ import unittest
 
 import grainjet
 import homogeneous_box as box
+from grainjet import dictionaries
 
 REST = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
 
@@ -138,12 +139,9 @@ class Cavity(grainjet.Case):
     def fields(self, model, ranks, **coefficients):
         folder = self.folder/f"{model}{ranks}{len(coefficients)}"
         for name, text in CAVITY.items():
-            path = folder/name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            kind = {"U": "volVectorField"}.get(path.name, "volScalarField")
-            kind = kind if path.parent.name == "0" else "dictionary"
-            path.write_text(box.HEADER.format(kind, path.name) + text)
-        (folder/"constant/turbulenceProperties").write_text(box.turbulence(model, **coefficients))
+            kind = "volVectorField" if name == "0/U" else "volScalarField" if name.startswith("0/") else "dictionary"
+            dictionaries.write(folder/name, text, kind)
+        box.write_turbulence(folder, model, **coefficients)
         self.foam("blockMesh", folder)
         if ranks:
             self.foam("decomposePar", folder)

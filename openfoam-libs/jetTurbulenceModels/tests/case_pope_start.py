@@ -2,6 +2,7 @@
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pope's correction from a uniform start: a round jet in a slow co-flow on a wedge, in stock simpleFoam."""
+# label: long
 
 import math
 import re
@@ -11,6 +12,7 @@ import numpy
 
 import grainjet
 import homogeneous_box as box
+from grainjet import dictionaries
 
 COFLOW = 0.01            # of the jet's velocity, 1 m/s; diameter 1 m
 NX, NR = 48, (6, 20)     # cells along the axis, in the nozzle's radius and outside
@@ -18,24 +20,20 @@ SLOPE = math.tan(math.radians(2.5))
 C2 = 1.92
 
 
-def field(name, dimensions, inside, inlet, coflow, vector=False):
-    """The text of a field file."""
+def write_field(folder, name, dimensions, inside, inlet, coflow, vector=False):
     def wrap(value):
         return f"({value} 0 0)" if vector else str(value)
-    text = box.HEADER.format(f"vol{'Vector' if vector else 'Scalar'}Field", name)
-    text += f"dimensions {dimensions}; internalField uniform {wrap(inside)};\nboundaryField\n{{\n"
-    for patch, value in (("inlet", inlet), ("coflow", coflow)):
-        text += f"{patch} {{ type fixedValue; value uniform {wrap(value)}; }}\n"
     side = "pressureInletOutletVelocity; value" if vector else f"inletOutlet; inletValue uniform {coflow}; value"
-    text += f"side {{ type {side} uniform {wrap(coflow)}; }}\n"
-    text += f"outlet {{ type inletOutlet; inletValue uniform {wrap(0 if vector else coflow)}; value uniform {wrap(coflow)}; }}\n"
-    return text + '"front|back" { type wedge; } axis { type empty; }\n}\n'
+    dictionaries.write_field(folder, name, dimensions, wrap(inside), {
+        "inlet": f"type fixedValue; value uniform {wrap(inlet)};",
+        "coflow": f"type fixedValue; value uniform {wrap(coflow)};",
+        "side": f"type {side} uniform {wrap(coflow)};",
+        "outlet": f"type inletOutlet; inletValue uniform {wrap(0 if vector else coflow)}; value uniform {wrap(coflow)};",
+        "front|back": "type wedge;", "axis": "type empty;"})
 
 
 def write(folder, iterations, correction, k=1e-4, epsilon=1e-5, velocity=COFLOW):
     """The case; k, epsilon and velocity [SI] are those of the start."""
-    for name in ("0", "constant", "system"):
-        (folder/name).mkdir(parents=True, exist_ok=True)
     points = ["(0 0 0)", "(40 0 0)"]
     for x, r in ((0, 0.5), (0, 12), (40, 1.2), (40, 12)):
         points += [f"({x} {r} {side*r*SLOPE})" for side in (-1, 1)]
@@ -75,38 +73,31 @@ relaxationFactors { fields { p 0.3; } equations { U 0.7; k 0.7; epsilon 0.7; } }
 """,
         "constant/transportProperties": "transportModel Newtonian; nu 1e-5;",
     }
-    for name, text in texts.items():
-        (folder/name).write_text(box.HEADER.format("dictionary", name.split("/")[1]) + text)
-    (folder/"0/U").write_text(field("U", "[0 1 -1 0 0 0 0]", velocity, 1, COFLOW, vector=True))
-    (folder/"0/k").write_text(field("k", "[0 2 -2 0 0 0 0]", k, 0.00375, 1e-6))
-    (folder/"0/epsilon").write_text(field("epsilon", "[0 2 -3 0 0 0 0]", epsilon, 0.00054, 1e-7))
-    (folder/"0/nut").write_text(
-        box.HEADER.format("volScalarField", "nut") + "dimensions [0 2 -1 0 0 0 0]; internalField uniform 1e-3;\n"
-        'boundaryField { ".*" { type calculated; value uniform 0; } "front|back" { type wedge; } axis { type empty; } }\n')
-    (folder/"0/p").write_text(
-        box.HEADER.format("volScalarField", "p") + "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;\n"
-        'boundaryField { ".*" { type zeroGradient; } "front|back" { type wedge; } axis { type empty; }\n'
-        'outlet { type fixedValue; value uniform 0; } side { type totalPressure; p0 uniform 0; } }\n')
+    dictionaries.write_all(folder, texts)
+    write_field(folder, "U", "0 1 -1", velocity, 1, COFLOW, vector=True)
+    write_field(folder, "k", "0 2 -2", k, 0.00375, 1e-6)
+    write_field(folder, "epsilon", "0 2 -3", epsilon, 0.00054, 1e-7)
+    ends = {"front|back": "type wedge;", "axis": "type empty;"}
+    dictionaries.write_field(folder, "nut", "0 2 -1", 1e-3, {".*": "type calculated; value uniform 0;", **ends})
+    dictionaries.write_field(folder, "p", "0 2 -2", 0, {
+        ".*": "type zeroGradient;", **ends, "outlet": "type fixedValue; value uniform 0;",
+        "side": "type totalPressure; p0 uniform 0;"})
     control(folder, iterations, correction)
 
 
 def control(folder, iterations, correction):
-    (folder/"constant/turbulenceProperties").write_text(
-        box.turbulence("jetKEpsilon", C1=1.44, C2=C2, roundJetCorrection=correction))
-    (folder/"system/controlDict").write_text(
-        box.HEADER.format("dictionary", "controlDict")
-        + f"startFrom latestTime; stopAt endTime; endTime {iterations}; deltaT 1;\n"
-        + f"writeControl timeStep; writeInterval {iterations}; writePrecision 12; runTimeModifiable no;\n"
-        + """libs ("libjetTurbulenceModels.so");
-DebugSwitches { jetKEpsilon 1; }
+    box.write_turbulence(folder, "jetKEpsilon", C1=1.44, C2=C2, roundJetCorrection=correction)
+    dictionaries.write(folder/"system/controlDict", f"""
+startFrom latestTime; stopAt endTime; endTime {iterations}; deltaT 1;
+writeControl timeStep; writeInterval {iterations}; writePrecision 12; runTimeModifiable no;
+libs ("libjetTurbulenceModels.so");
+DebugSwitches {{ jetKEpsilon 1; }}
 """)
 
 
 def values(folder, time, name):
     """The internal field, one row per cell."""
-    text = (folder/str(time)/name).read_text()
-    rows = re.search(r"nonuniform List<\w+>\s*\d+\s*\((.*?)\n\)\s*;", text, re.S).group(1)
-    return numpy.array([[float(v) for v in row.strip("()").split()] for row in rows.strip().splitlines()])
+    return numpy.array(dictionaries.internal(folder/str(time)/name))
 
 
 class PopeStart(grainjet.Case):

@@ -2,11 +2,10 @@
 
 import pathlib
 import shutil
-import sys
+import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries
 
 GRAIN = box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)])
 
@@ -16,7 +15,7 @@ class BadCase(grainjet.Case):
 
     @classmethod
     def setUpClass(cls):
-        cls.base = pathlib.Path(grainjet.tempfile.mkdtemp(prefix="grainjet-bad-"))
+        cls.base = pathlib.Path(tempfile.mkdtemp(prefix="grainjet-bad-"))
         box.write(cls.base, walls=True, cells="2 2 4", steps=2, write_every=100)
         box.script(cls.base, grains=GRAIN, boundary="f f f")
         box.fv_options(cls.base)
@@ -31,18 +30,13 @@ class BadCase(grainjet.Case):
 
     def fresh(self):
         """A fresh copy of the case; its folder."""
-        folder = self.folder / f"{len(list(self.folder.iterdir()))}"
+        folder = self.new_folder()
         shutil.copytree(self.base, folder)
         return folder
 
     def change(self, folder, path, *pairs):
         """Replace texts in a file of the case; each must be there."""
-        file = folder / path
-        text = file.read_text()
-        for old, new in pairs:
-            self.assertIn(old, text)
-            text = text.replace(old, new)
-        file.write_text(text)
+        dictionaries.change(folder / path, *pairs)
 
     def assertRefused(self, folder, *words, solver="pimpleFoam", ranks=0, steps=False):
         """The run ends with exit code 1 and an error that holds all words; before its first

@@ -1,68 +1,15 @@
 """The coupling in a stock solver: same physics on any ranks, Newton's third law, one way."""
 # processors: 2
+# label: long
 
 import math
-import pathlib
-import random
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
-import grainjet
-
-DUMP = ("dump d all custom {every} grains.dump id x y z vx vy vz\n"
-        'dump_modify d format "%d %.16g %.16g %.16g %.16g %.16g %.16g" sort id')
+from grainjet import coupled_box as box, dictionaries, dumps
+from grainjet.coupled_box import swarm
 
 
-def swarm(n, seed, low=(0, 0, 0), high=(0.02, 0.02, 0.04), mean=(0, 0, 1), rms=0.3):
-    """Positions and velocities of n grains, spread at random."""
-    rng = random.Random(seed)
-    x = [[rng.uniform(a + 1e-3, b - 1e-3) for a, b in zip(low, high)] for _ in range(n)]
-    v = [[rng.gauss(m, rms) for m in mean] for _ in range(n)]
-    return x, v
-
-
-class Coupling(grainjet.Case):
-
-    def run_box(self, ranks=0, steps=20, grains=None, solver="pimpleFoam", options=None,
-                boundary="p p p", processors="", diameter=2e-4, ranks_in_case=2,
-                box_of_grains="0 0.02 0 0.02 0 0.04", density=2500.0, fixes="", into=None,
-                **fluid):
-        """Run the box in a folder of its own; returns the folder with reconstructed fields."""
-        folder = into or self.folder / f"{len(list(self.folder.iterdir()))}"
-        box.write(folder, steps=steps, ranks=ranks_in_case, **fluid)
-        if options is not False:
-            x, v = grains or swarm(300, 7)
-            box.script(folder, grains=box.grains(x, v, diameter, density), boundary=boundary,
-                       fixes=fixes, box=box_of_grains, processors=processors,
-                       end=DUMP.format(every=10 * steps))
-            box.fv_options(folder, **(options or {}))
-        self.foam("blockMesh", folder)
-        if ranks:
-            self.foam("decomposePar", folder)
-        self.result = self.foam(solver, folder, ranks)
-        if ranks:
-            self.foam("reconstructPar", folder)
-        return folder
-
-    def compare(self, a, b, time, tolerance):
-        """Fields and grains of two runs agree relative to the largest value."""
-        for field in ("U", "voidFraction", "particleVelocity", "dragCoefficient",
-                      "particleMomentumSource"):
-            first = box.read_internal(a / time / field)
-            second = box.read_internal(b / time / field)
-            self.assertEqual(len(first), len(second), field)
-            flat = [_flat(first), _flat(second)]
-            scale = max(abs(c) for c in flat[0])
-            worst = max(abs(p - q) for p, q in zip(*flat))
-            self.assertGreater(scale, 0, field)
-            self.assertLessEqual(worst, tolerance * scale, field)
-        one, two = box.read_dump(a / "grains.dump"), box.read_dump(b / "grains.dump")
-        self.assertEqual(sorted(one), sorted(two))
-        for tag in one:
-            for p, q in zip(one[tag], two[tag]):
-                self.assertAlmostEqual(p, q, delta=tolerance, msg=f"grain {tag}")
+class Coupling(box.CoupledCase):
 
     def test_same_on_two_ranks(self):
         """1 and 2 ranks give the same fields and grains. The linear solvers stop at a normalised
@@ -114,10 +61,10 @@ class Coupling(grainjet.Case):
 
     def momentum_drift(self, folder, before, rho=1.2, steps=1000):
         time = f"{steps * 1e-4:.10g}"
-        u = box.read_internal(folder / time / "U")
+        u = dictionaries.internal(folder / time / "U")
         volume = 0.02 * 0.02 * 0.04 / 4000
         mass = 2500.0 * math.pi / 6 * 2e-4 ** 3
-        grains = box.read_dump(folder / "grains.dump")
+        grains = dumps.last(folder / "grains.dump")
         balance = box.read_balance(folder)
         drift = []
         for k in range(3):
@@ -168,7 +115,7 @@ class Coupling(grainjet.Case):
             expected.append(u)
         seen = []
         for i in range(1, steps + 1):
-            values = box.read_internal(folder / f"{i * 1e-4:.10g}" / "U")
+            values = dictionaries.internal(folder / f"{i * 1e-4:.10g}" / "U")
             seen.append(sum(v[2] for v in values) / len(values))
         self.assertGreater(kappa, 2)
         for a, b in zip(seen, expected):
@@ -176,10 +123,6 @@ class Coupling(grainjet.Case):
         self.assertGreater(min(seen), -0.243)
         self.assertLess(abs(seen[-1]), 0.01)
         self.assertLess(max(box.read_balance(folder)["imbalance"]), 1e-10)
-
-
-def _flat(values):
-    return [c for v in values for c in (v if isinstance(v, tuple) else (v,))]
 
 
 if __name__ == "__main__":

@@ -1,14 +1,12 @@
 """A box without grains is a normal state of a coupled run, at any time."""
 # processors: 2
+# label: long
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling_restart import end_at
+from grainjet import coupled_box as box
+from grainjet.coupled_box import end_at
 
 WALL = "fix w all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 

@@ -1,16 +1,15 @@
 """Each entry of the coupling's dictionary spoilt in every way: one error that names the entry and
 constant/fvOptions, exit code 1, before the first step. New entries of the page are covered by themselves."""
 # processors: 2
+# label: long
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
-import coupled_box as box
 import grainjet
-from bad_input import Entry, spoil, table_of_page
+from grainjet import dictionaries
+from grainjet.bad_input import Entry, spoil
+from grainjet.pages import table_of_page
 
 PAGE = grainjet.ROOT / "docs/liggghtsCoupling.md"
 
@@ -56,9 +55,8 @@ def text(lines):
 class Entries(bad_case.BadCase):
 
     def options(self, folder, body, name="particles"):
-        (folder / "constant/fvOptions").write_text(
-            box.HEADER.format("dictionary", "fvOptions")
-            + f"{name}\n{{\n    type liggghtsCoupling;\n{body}}}\n")
+        dictionaries.write(folder / "constant/fvOptions",
+                           f"{name}\n{{\n    type liggghtsCoupling;\n{body}}}\n")
 
     def spoilt(self, entries, within=None, ranks=0, only=None):
         """Run all spoilt forms of a table (or those in `only`), which may lie in a sub-dictionary."""

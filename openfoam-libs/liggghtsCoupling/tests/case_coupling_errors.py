@@ -1,13 +1,11 @@
 """Bad input to the coupling: one clear error on every rank, exit code not 0, no hang."""
 # processors: 2
+# label: long
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box
 
 GRAIN = box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)])
 

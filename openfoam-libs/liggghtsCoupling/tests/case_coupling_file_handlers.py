@@ -1,17 +1,14 @@
 """Grains lie where OpenFOAM's file handler keeps its files, and go with them through the
 utilities that take a case apart and put it together."""
 # processors: 2
+# label: long
 
-import pathlib
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
-from case_coupling_restart import end_at
+from grainjet import coupled_box as box, dumps, scripts
+from grainjet.coupled_box import end_at, swarm
 
 HANDLERS = ("uncollated", "masterUncollated", "collated")
 
@@ -21,9 +18,7 @@ class FileHandlers(grainjet.Case):
     def write(self, name, steps=6):
         folder = self.folder / name
         box.write(folder, steps=steps, walls=True)
-        box.script(folder, grains=box.grains(*swarm(30, 3)), end=(
-            "dump d all custom 20 grains.*.dump id x y z vx vy vz\n"
-            'dump_modify d format "%d %.17g %.17g %.17g %.17g %.17g %.17g" sort id'))
+        box.script(folder, grains=box.grains(*swarm(30, 3)), end=scripts.dump(20, "grains.*.dump", box.MOTION))
         box.fv_options(folder, interpolation="cell")
         self.foam("blockMesh", folder)
         return folder
@@ -48,7 +43,7 @@ class FileHandlers(grainjet.Case):
     def assertSameGrains(self, folder, digits=None):
         """All digits, or the last ones left out: with another number of ranks sums in cells are
         taken in another order."""
-        one, other = (box.read_dump(f / "grains.120.dump") for f in (self.whole, folder))
+        one, other = (dumps.last(f / "grains.120.dump") for f in (self.whole, folder))
         self.assertEqual(one.keys(), other.keys())
         for i in one:
             for a, b in zip(one[i], other[i]):

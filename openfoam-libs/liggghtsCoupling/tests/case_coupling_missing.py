@@ -1,21 +1,15 @@
 """What a continued run lacks is an error that names file and time, never a fresh start; and so is
 a script that does not continue the grains it is given."""
 # processors: 2
+# label: long
 
-import os
-import pathlib
+import re
 import shutil
-import signal
-import subprocess
-import sys
-import time
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
-from case_coupling_restart import end_at
+from grainjet import coupled_box as box
+from grainjet.coupled_box import end_at, swarm
 
 LAST = "0.0004"
 
@@ -40,7 +34,8 @@ class Missing(grainjet.Case):
 
     def assertRefused(self, folder, *words, ranks=0):
         def state():
-            return {p: p.stat().st_mtime for p in folder.glob(f"**/{LAST}/**/*") if "postProcessing" not in p.parts}
+            return {path: path.read_bytes() for path in folder.glob(f"**/{LAST}/**/*")
+                    if path.is_file() and "postProcessing" not in path.parts}
 
         before = state()
         result = self.go_on(folder, ranks)
@@ -136,24 +131,26 @@ class Missing(grainjet.Case):
         box.fv_options(folder)
         self.assertIn("5 new grains", self.go_on(folder, check=True).output)
 
+    @staticmethod
+    def has_come_to(log, time, words):
+        """Whether a log holds words (a pattern) in a step later than a time."""
+        steps = list(re.finditer(r"(?m)^Time = (\S+)$", log))
+        later = [step for step in steps if float(step[1]) > time]
+        return bool(later and re.search(words, log[later[0].start():]))
+
     def test_kill(self):
         """Killed at any moment, a run goes on bit for bit or says what is incomplete."""
         whole = self.first_run(steps=40, every=1, name="whole")
         end_at(whole, 40)
         killed = self.folder / "killed"
         continued = 0
-        for moment in (0.15, 0.5, 0.62, 0.9):
+        # the time after which it is killed, and what it does then: a step's begin, momentum, pressure, end
+        for moment, words in ((0.0006, "Time = "), (0.002, "liggghtsCoupling: grains"), (0.0025, "GAMG|PCG"),
+                              (0.0036, "ExecutionTime")):
             shutil.rmtree(killed, ignore_errors=True)
             shutil.copytree(whole, killed, ignore=shutil.ignore_patterns("0.0*", "postProcessing", "log*"))
-            process = subprocess.Popen(["pimpleFoam"], cwd=killed, env={**grainjet.ENV, "PWD": str(killed)},
-                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            # as soon as it has come so far: by the step, which no load of the machine moves
-            for line in process.stdout:
-                if line.startswith(b"Time = ") and float(line.split()[-1]) > moment * 0.004:
-                    break
-            time.sleep(0.01 * moment)
-            os.kill(process.pid, signal.SIGKILL)
-            process.communicate()
+            with grainjet.start(["pimpleFoam"], killed, killed / "log.killed") as run:
+                run.wait_for(lambda: self.has_come_to(run.printed(), moment, words), f"'{words}' after {moment} s")
             result = self.go_on(killed)
             if result.code:
                 self.assertTrue("was written by a coupled run" in result.output
@@ -302,16 +299,10 @@ class Missing(grainjet.Case):
         end_at(folder, 100000)
         control = folder / "system/controlDict"
         control.write_text(control.read_text().replace("writeInterval 4", "writeInterval 100000"))
-        other = subprocess.Popen(["pimpleFoam"], cwd=folder, env={**grainjet.ENV, "PWD": str(folder)},
-                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        try:
-            for line in other.stdout:
-                if line.startswith(b"Time = "):
-                    break
+        with grainjet.start(["pimpleFoam"], folder, folder / "log.other") as other:
+            other.wait_for_words("\nTime = ")
             self.assertFails(self.go_on(folder), "Another run works in")
-        finally:
-            other.kill()
-            other.communicate()
+            self.assertIsNone(other.process.poll(), "the other run ended by itself")
         end_at(folder, 6)
         self.assertEqual(self.go_on(folder).code, 0)
 

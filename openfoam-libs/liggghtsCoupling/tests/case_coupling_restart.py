@@ -1,29 +1,16 @@
 """A coupled run that is stopped and continued."""
 # processors: 2
 
-import pathlib
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
+from grainjet import coupled_box as box, dictionaries, dumps, scripts
+from grainjet.coupled_box import end_at, swarm
 
-DUMP = ("dump d all custom 100 grains.*.dump id x y z vx vy vz\n"
-        'dump_modify d format "%d %.17g %.17g %.17g %.17g %.17g %.17g" sort id')
+DUMP = scripts.dump(100, "grains.*.dump", box.MOTION)
 FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient",
           "particleMomentumSource", "particleMomentumOwed")
-
-
-def end_at(folder, steps):
-    """Have the next run end after so many steps."""
-    control = folder / "system/controlDict"
-    text = control.read_text()
-    start = text.index("endTime", text.index("stopAt endTime;") + 15)
-    stop = text.index(";", start)
-    control.write_text(f"{text[:start]}endTime {steps * 1e-4!r}{text[stop:]}")
 
 
 class Restart(grainjet.Case):
@@ -64,7 +51,7 @@ class Restart(grainjet.Case):
         for field in FIELDS:
             a, b = ((f / "0.004" / field).read_bytes() for f in (whole, parts))
             self.assertEqual(a, b, field)
-        a, b = (box.read_dump(f / "grains.400.dump") for f in (whole, parts))
+        a, b = (dumps.last(f / "grains.400.dump") for f in (whole, parts))
         self.assertEqual(a, b)
 
     def test_parallel(self):
@@ -74,7 +61,7 @@ class Restart(grainjet.Case):
         for folder in (whole, parts):
             self.foam("reconstructPar", folder)
         for field in ("U", "voidFraction", "particleMomentumSource"):
-            a, b = (box.read_internal(f / "0.004" / field) for f in (whole, parts))
+            a, b = (dictionaries.internal(f / "0.004" / field) for f in (whole, parts))
             a, b = ([c for v in f for c in (v if isinstance(v, tuple) else (v,))] for f in (a, b))
             scale = max(abs(c) for c in a)
             self.assertLess(max(abs(p - q) for p, q in zip(a, b)), 1e-12 * scale, field)

@@ -1,14 +1,13 @@
 """Errors of LIGGGHTS reach the user with the script, its line and the name of the log; bad script and log
 files are refused before LIGGGHTS starts. Exit code 1, never a signal."""
 # processors: 2
+# label: long
 
-import pathlib
-import sys
+import shutil
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
-import coupled_box as box
+from grainjet import coupled_box as box
 
 
 class ScriptErrors(bad_case.BadCase):
@@ -150,7 +149,7 @@ class ScriptErrors(bad_case.BadCase):
         for name in ("a$b", "${x}", "a#b", "a&b", "a(b)", "ä", "a%b", "a*b", "a;b", "a\\b"):
             with self.subTest(name=name):
                 folder = self.folder / "path" / name
-                bad_case.shutil.copytree(self.base, folder)
+                shutil.copytree(self.base, folder)
                 self.change(folder, "system/controlDict", ("writeInterval 100", "writeInterval 1"))
                 self.assertRuns(folder)
                 self.assertTrue((folder / "0.0002/uniform/liggghts.restart").exists())

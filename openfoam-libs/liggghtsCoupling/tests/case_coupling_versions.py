@@ -1,14 +1,11 @@
 """A fix fluid/force or a plugin of another Grainjet beside this coupling: an error, no wrong forces."""
 # processors: 2
 
-import pathlib
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box
 
 PLUGINS = grainjet.ROOT / "lib/tests"
 

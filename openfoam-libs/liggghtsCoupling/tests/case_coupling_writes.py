@@ -5,23 +5,19 @@ The grains are a crowd that touches each other, a flat wall and a mesh wall whil
 crosses from one rank to the other, leaves the box and is deleted by a mesh.
 """
 # processors: 2
+# label: long
 
-import pathlib
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
-from case_coupling_restart import end_at
+from grainjet import coupled_box as box, dumps, scripts
+from grainjet.coupled_box import end_at, swarm
 
 FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient",
           "particleMomentumSource", "particleMomentumOwed")
 
-DUMP = ("dump d all custom 100 grains.*.dump id x y z vx vy vz omegax omegay omegaz\n"
-        'dump_modify d format "%d' + 9 * " %.17g" + '" sort id')
+DUMP = scripts.dump(100, "grains.*.dump", box.MOTION + " omegax omegay omegaz")
 
 WALLS = """
 fix m5 all property/global coefficientRollingFriction peratomtypepair 1 0.1
@@ -41,15 +37,6 @@ fix source all insert/pack seed 86028121 distributiontemplate grains vel constan
 """
 
 
-def stl(*triangles):
-    lines = ["solid s"]
-    for triangle in triangles:
-        lines += ["facet normal 0 0 1", "outer loop"]
-        lines += ["vertex {} {} {}".format(*corner) for corner in triangle]
-        lines += ["endloop", "endfacet"]
-    return "\n".join(lines + ["endsolid s"]) + "\n"
-
-
 class Writes(grainjet.Case):
 
     def write(self, name, steps, every, sort="0 0", insertion=False, ranks=0,
@@ -65,12 +52,10 @@ class Writes(grainjet.Case):
         script = folder / "constant/in.particles"
         script.write_text(script.read_text().replace("sort 0 0", f"sort {sort}"))
         # a slope in the middle of the crowd, and above it a face that deletes what crosses it
-        (folder / "plate.stl").write_text(stl(
-            ((0.012, 0, 0), (0.02, 0, 0.006), (0.02, 0.02, 0.006)),
-            ((0.012, 0, 0), (0.02, 0.02, 0.006), (0.012, 0.02, 0))))
-        (folder / "face.stl").write_text(stl(
-            ((0, 0, 0.0115), (0.02, 0, 0.0115), (0.02, 0.02, 0.0115)),
-            ((0, 0, 0.0115), (0.02, 0.02, 0.0115), (0, 0.02, 0.0115))))
+        (folder / "plate.stl").write_text(scripts.stl(*scripts.rectangle(
+            (0.012, 0, 0), (0.02, 0, 0.006), (0.02, 0.02, 0.006), (0.012, 0.02, 0))))
+        (folder / "face.stl").write_text(scripts.stl(*scripts.rectangle(
+            (0, 0, 0.0115), (0.02, 0, 0.0115), (0.02, 0.02, 0.0115), (0, 0.02, 0.0115))))
         box.fv_options(folder, interpolation="cell")
         self.foam("blockMesh", folder)
         if ranks:
@@ -80,7 +65,7 @@ class Writes(grainjet.Case):
     def assertSame(self, a, b, steps, ranks):
         """All grains at all their dumps, and all fields at the end."""
         for step in range(100, 10 * steps + 1, 100):
-            one, other = (box.read_dump(f / f"grains.{step}.dump") for f in (a, b))
+            one, other = (dumps.last(f / f"grains.{step}.dump") for f in (a, b))
             self.assertEqual(one, other, f"grains of DEM step {step}")
         for part in [f"processor{k}/" for k in range(ranks)] or [""]:
             for field in FIELDS:

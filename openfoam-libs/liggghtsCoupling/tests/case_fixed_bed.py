@@ -7,17 +7,16 @@ The solver knows no void fraction, so its velocity U is the superficial one, and
 the fluid between the grains has U/eps. See "Fixed bed" in docs/theory-coupling.md.
 """
 # processors: 2
+# label: long
 
 import math
 import pathlib
 import re
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries
 
 RHO, NU = 1.2, 1.5e-5
 
@@ -96,7 +95,7 @@ class FixedBed(grainjet.Case):
             for value in self.layer(end / "voidFraction", layer):
                 self.assertAlmostEqual(value, bed.eps, delta=1e-12)
         pressure = [RHO * sum(self.layer(end / "p", k)) / ACROSS ** 2 for k in range(ALONG)]
-        fastest = max(u[2] for u in box.read_internal(end / "U")) / bed.velocity
+        fastest = max(u[2] for u in dictionaries.internal(end / "U")) / bed.velocity
         whole = (pressure[0] - pressure[-1]) / (CELL * len(BED))
         low, high = (pressure[layer] for layer in MIDDLE)
         slope = (low - high) / (CELL * (MIDDLE[1] - MIDDLE[0]))
@@ -104,7 +103,7 @@ class FixedBed(grainjet.Case):
         return slope
 
     def layer(self, path, k):
-        return box.read_internal(path)[k * ACROSS ** 2:(k + 1) * ACROSS ** 2]
+        return dictionaries.internal(path)[k * ACROSS ** 2:(k + 1) * ACROSS ** 2]
 
     def announced(self):
         """Percentages of the log's warnings about solid fractions."""

@@ -1,23 +1,20 @@
 """Forces on grains in flows that are known: Newton's law for the displaced fluid."""
+# label: long
 
 import math
-import pathlib
 import random
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
+from grainjet import coupled_box as box, dictionaries, dumps, scripts
+from grainjet.coupled_box import swarm
 
 RHO, NU, D = 1.2, 1.5e-5, 2e-4
 VOLUME = math.pi / 6 * D ** 3
-DUMP = ("dump d all custom 10 grains.*.dump id x y z f_fluidExplicitForce[1] "
-        "f_fluidExplicitForce[2] f_fluidExplicitForce[3]\n"
-        'dump_modify d sort id format "%d' + 6 * " %.16g" + '"')
+DUMP = scripts.dump(10, "grains.*.dump",
+                    "id x y z f_fluidExplicitForce[1] f_fluidExplicitForce[2] f_fluidExplicitForce[3]")
 
 
 class Forces(grainjet.Case):
@@ -62,7 +59,7 @@ class Forces(grainjet.Case):
         mesh.write_text(mesh.read_text().replace("wall;", "patch;"))
         self.foam("pimpleFoam", self.folder)
         # the coupling sees in step n the pressure of step n - 1
-        forces = box.read_dump(self.folder / "grains.50.dump")
+        forces = dumps.last(self.folder / "grains.50.dump")
         self.assertEqual(len(forces), 50)
         inner = {tag: row for tag, row in forces.items() if row[2] > 0.012}
         self.assertGreater(len(inner), 30)
@@ -83,9 +80,11 @@ class Forces(grainjet.Case):
             "uniform (0 0 0)", "nonuniform List<vector> 2000 (" + "".join(
                 f"({v!r} 0 0)\n" for v in values) + ")"))
         self.foam("pimpleFoam", self.folder)
-        before, after = (box.read_internal(self.folder / t / "U") for t in ("0.0001", "0.0002"))
+        before, after = (dictionaries.internal(self.folder / t / "U") for t in ("0.0001", "0.0002"))
         largest = VOLUME * RHO * NU * k ** 2
-        for tag, (x, y, z, fx, fy, fz) in box.read_dump(self.folder / "grains.20.dump").items():
+        grains = dumps.last(self.folder / "grains.20.dump")
+        self.assertEqual(len(grains), 50)
+        for tag, (x, y, z, fx, fy, fz) in grains.items():
             cell = int(x / 0.002) + 10 * int(y / 0.002) + 100 * int(z / 0.002)
             expected = VOLUME * RHO * (after[cell][0] - before[cell][0]) / 1e-4
             self.assertAlmostEqual(fx, expected, delta=1e-4 * largest, msg=f"grain {tag}")
@@ -128,7 +127,7 @@ class Forces(grainjet.Case):
                         if ranks:
                             self.foam("decomposePar")
                         self.foam("pimpleFoam", ranks=ranks)
-                        forces[scheme, ranks] = box.read_dump(self.folder / "grains.10.dump")
+                        forces[scheme, ranks] = dumps.last(self.folder / "grains.10.dump")
             expected = forces["midPoint", 0]
             largest = max(abs(f) for row in expected.values() for f in row[3:])
             self.assertGreater(largest, VOLUME * RHO * NU / 0.002 ** 2)
@@ -160,7 +159,9 @@ class Forces(grainjet.Case):
             "fix fluid", "fix g all gravity 9.81 vector 0.6 0 -0.8\nfix fluid"))
         self.foam("pimpleFoam", self.folder)
         weight = VOLUME * RHO * 9.81
-        for *_, fx, fy, fz in box.read_dump(self.folder / "grains.10.dump").values():
+        grains = dumps.last(self.folder / "grains.10.dump")
+        self.assertEqual(len(grains), 50)
+        for *_, fx, fy, fz in grains.values():
             self.assertAlmostEqual(fx, -0.6 * weight, delta=1e-12 * weight)
             self.assertAlmostEqual(fy, 0, delta=1e-12 * weight)
             self.assertAlmostEqual(fz, 0.8 * weight, delta=1e-12 * weight)

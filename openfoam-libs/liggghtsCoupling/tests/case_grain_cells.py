@@ -1,18 +1,16 @@
 """The cell of a grain is one and the same on any number of ranks: on faces, edges and points, on an
 axis where many cells meet, on warped faces, at baffles."""
 # processors: 4
+# label: long
 
 import pathlib
 import random
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import case_coupling
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries, scripts
 
 # four wedges around the axis x = y = 10 mm, whose innermost cells are prisms that meet there
 AXIS = """
@@ -65,9 +63,7 @@ def on_planes(n, seed, sides=(0.02, 0.02, 0.04), width=0.002):
     return places
 
 
-class GrainCells(grainjet.Case):
-
-    compare = case_coupling.Coupling.compare
+class GrainCells(box.CoupledCase):
 
     def prepare(self, places, *, name="case", mesh=None, change=None, steps=4, velocities=None, diameter=3e-4,
                 boundary="f f f", options=None, **fluid):
@@ -75,14 +71,12 @@ class GrainCells(grainjet.Case):
         there. The linear solvers go on to round-off."""
         folder = self.folder / name / "case"
         box.write(folder, steps=steps, velocity="(0.1 -0.2 1)", **fluid)
-        solution = folder / "system/fvSolution"
-        solution.write_text(solution.read_text().replace("1e-13", "1e-16").replace("1e-14", "1e-16"))
+        dictionaries.change(folder / "system/fvSolution", ("1e-13", "1e-16"), ("1e-14", "1e-16"))
         if mesh:
-            (folder / "system/blockMeshDict").write_text(
-                box.HEADER.format("dictionary", "blockMeshDict") + mesh)
+            dictionaries.write(folder / "system/blockMeshDict", mesh)
         v = velocities or [(0, 0, 0.5)] * len(places)
         box.script(folder, grains=box.grains(places, v, diameter), boundary=boundary,
-                   end=case_coupling.DUMP.format(every=10 * steps))
+                   end=scripts.dump(10 * steps, "grains.dump", box.MOTION))
         box.fv_options(folder, **(options or {}))
         self.foam("blockMesh", folder)
         if change:
@@ -97,14 +91,13 @@ class GrainCells(grainjet.Case):
         if ranks:
             text = f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n {decomposition}; delta 1e-6; }}\n"
             if callable(decomposition):
-                n = int(re.search(r"nCells:\s*(\d+)", (folder / "constant/polyMesh/owner").read_text()).group(1))
+                n = dictionaries.cells(folder)
                 text = (f"numberOfSubdomains {ranks}; method manual;\n"
                         'manualCoeffs { dataFile "ranksOfCells"; }\n')
-                (folder / "constant/ranksOfCells").write_text(
-                    box.HEADER.format("labelList", "ranksOfCells") + f"{n}\n(\n"
-                    + "\n".join(str(decomposition(i)) for i in range(n)) + "\n)\n")
-            (folder / "system/decomposeParDict").write_text(
-                box.HEADER.format("dictionary", "decomposeParDict") + text)
+                dictionaries.write(
+                    folder / "constant/ranksOfCells",
+                    f"{n}\n(\n" + "\n".join(str(decomposition(i)) for i in range(n)) + "\n)\n", "labelList")
+            dictionaries.write(folder / "system/decomposeParDict", text)
             self.foam("decomposePar", folder)
         self.foam("pimpleFoam", folder, ranks)
         if ranks:
@@ -158,8 +151,7 @@ class GrainCells(grainjet.Case):
         """A baffle where the mesh is cut: no coupled patch there tells that points of both sides are
         one, as they are in the undecomposed mesh. Grains on it and beside it, cellPoint."""
         def baffle(folder):
-            (folder / "system/createBafflesDict").write_text(
-                box.HEADER.format("dictionary", "createBafflesDict") + BAFFLE)
+            dictionaries.write(folder / "system/createBafflesDict", BAFFLE)
             result = grainjet.run(["createBaffles", "-overwrite"], folder)
             self.assertEqual(result.code, 0, result)
             self.assertIn("plate", (folder / "constant/polyMesh/boundary").read_text())

@@ -1,32 +1,21 @@
 """Grains at the edges: of cells, ranks, mesh and box. Nothing is lost without a word."""
 # processors: 2
+# label: long
 
 import itertools
 import math
-import pathlib
 import random
 import re
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import case_coupling
-import coupled_box as box
-import grainjet
-
+from grainjet import coupled_box as box, dictionaries, dumps, scripts
 
 # a square across z = 15 mm
-PLANE = "solid plane\n" + "".join(
-    "facet normal 0 0 1\n outer loop\n" + "".join(f"  vertex {x} {y} 0.015\n" for x, y in corners)
-    + " endloop\nendfacet\n"
-    for corners in (((0.001, 0.014), (0.019, 0.014), (0.019, 0.019)),
-                    ((0.001, 0.014), (0.019, 0.019), (0.001, 0.019)))) + "endsolid plane\n"
+PLANE = scripts.stl(*scripts.rectangle(
+    (0.001, 0.014, 0.015), (0.019, 0.014, 0.015), (0.019, 0.019, 0.015), (0.001, 0.019, 0.015)))
 
 
-class Traffic(grainjet.Case):
-
-    run_box = case_coupling.Coupling.run_box
-    compare = case_coupling.Coupling.compare
+class Traffic(box.CoupledCase):
 
     def test_solid_volume(self):
         """The solid volume in all cells is that of all grains to round-off (1e-12), also of
@@ -44,7 +33,7 @@ class Traffic(grainjet.Case):
                         ranks, steps=1, grains=(x, [(0, 0, 0)] * len(x)), diameter=d, walls=True,
                         boundary="f f f",
                         options={"voidFraction": f"{{ model {model}; minimum 1e-3; }}"})
-                    eps = box.read_internal(folder / "0.0001/voidFraction")
+                    eps = dictionaries.internal(folder / "0.0001/voidFraction")
                     cut = box.read_balance(folder)["volumeCut"][0]
                     seen = sum(1 - e for e in eps) * 8e-9 + cut
                     self.assertAlmostEqual(seen, expected, delta=1e-12 * expected)
@@ -82,11 +71,12 @@ class Traffic(grainjet.Case):
                     velocity="({} {} {})".format(*v), options={"coupling": "oneWay"})
                 end = folder / "0.002"
                 for celli, (eps, velocity) in enumerate(zip(
-                        box.read_internal(end / "voidFraction"),
-                        box.read_internal(end / "particleVelocity"))):
+                        dictionaries.internal(end / "voidFraction"),
+                        dictionaries.internal(end / "particleVelocity"), strict=True)):
                     self.assertAlmostEqual(eps, 1 - solid[celli], delta=1e-12, msg=f"cell {celli}")
                     for mean, one in zip(velocity, v):
                         self.assertAlmostEqual(mean, one if solid[celli] else 0, delta=1e-12)
+                self.assertEqual(celli, len(solid) - 1)
 
     def test_across_ranks(self):
         """Fast grains that cross the border between the ranks of both sides, back and forth:
@@ -104,7 +94,7 @@ class Traffic(grainjet.Case):
                 parallel = self.run_box(2, grains=(x, v), options=options, cells=cells)
                 self.compare(serial, parallel, "0.002", 1e-11)
                 balance = box.read_balance(parallel)
-                after = box.read_dump(parallel / "grains.dump")
+                after = dumps.last(parallel / "grains.dump")
                 crossed = sum((x[tag - 1][2] < 0.02) != (row[2] < 0.02)
                               for tag, row in after.items())
                 self.assertGreater(crossed, 10)

@@ -1,13 +1,9 @@
 """One grain falls through fluid at rest: terminal velocity and the way to it."""
 
-import math
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dumps, scripts
 
 RHO, NU, G = 1.2, 1.5e-5, 9.81
 D, RHO_P = 6e-5, 2500.0
@@ -41,12 +37,11 @@ class Settling(grainjet.Case):
         box.script(folder, dt=2e-5,
                    plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {f_cg} model_check warn" if f_cg > 1 else "", gravity="fix g all gravity 9.81 vector 0 0 -1",
                    grains=box.grains([(0.012, 0.013, 0.035)], [(0, 0, 0)], D, RHO_P),
-                   end=f'dump d all custom {10 * steps} grains.dump id vz\n'
-                       'dump_modify d format "%d %.16g"')
+                   end=scripts.dump(10 * steps, "grains.dump", "id vz"))
         box.fv_options(folder, coupling="oneWay", forces="(pressureGradient viscous buoyancy)")
         self.foam("blockMesh", folder)
         self.foam("pimpleFoam", folder)
-        return -box.read_dump(folder / "grains.dump")[1][0]
+        return -dumps.last(folder / "grains.dump")[1][0]
 
     def test_velocity(self):
         """One way, so the fluid stays at rest. The drag coefficient is held over a fluid step of

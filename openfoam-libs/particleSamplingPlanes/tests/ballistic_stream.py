@@ -11,7 +11,7 @@ their injection and leave the box in the middle of a step.
 
 import math
 
-HEADER = "FoamFile {{ version 2.0; format ascii; class {0}; object {1}; }}\n"
+from grainjet import dictionaries
 
 DIAMETER = 0.1          # m, unit of the planes
 LENGTH = 1.0            # m, box along z
@@ -22,6 +22,9 @@ SMALL, LARGE = 1e-3, 2e-3   # m, diameters of the stream and of the others
 RHO = 1000.0            # kg/m3
 PLANES = (0.3, 1, 5, 9.9)
 RINGS, MAX_RADIUS = 4, 0.8
+
+# patch at the ends of the box: side of the block
+ENDS = {"ends": "zlo zhi"}
 
 
 def injectors():
@@ -57,36 +60,29 @@ def crossings():
 
 def sampling(**changes):
     """The entry in controlDict."""
-    entries = {
+    values = {
         "type": "particleSamplingPlanes", "libs": '("libparticleSamplingPlanes.so")',
         "cloud": "kinematicCloud", "origin": "(0 0 0)", "axis": "(0 0 2)",
         "diameter": DIAMETER, "planes": "(" + " ".join(str(x) for x in PLANES) + ")",
         "radialBins": RINGS, "maxRadius": MAX_RADIUS, **changes}
-    return "profiles { " + " ".join(
-        f"{key} {value};" for key, value in entries.items() if value is not None) + " }"
+    return f"profiles {{ {dictionaries.entries(values)} }}"
 
 
 def control(folder, end, start="startTime", functions=None, interval=20, extra="runTimeModifiable no;"):
     functions = sampling() if functions is None else functions
-    (folder/"system/controlDict").write_text(
-        HEADER.format("dictionary", "controlDict")
-        + f"startFrom {start}; startTime 0; stopAt endTime; endTime {end}; deltaT {DT};\n"
-        + f"writeControl timeStep; writeInterval {interval}; writeFormat binary; writePrecision 12;\n"
-        + f"timePrecision 8; {extra}\nfunctions {{ {functions} }}\n")
+    dictionaries.write(
+        folder/"system/controlDict",
+        f"startFrom {start}; startTime 0; stopAt endTime; endTime {end}; deltaT {DT};\n"
+        f"writeControl timeStep; writeInterval {interval}; writeFormat binary; writePrecision 12;\n"
+        f"timePrecision 8; {extra}\nfunctions {{ {functions} }}\n")
 
 
-def write(folder, end, cut="(1 1 2)", **options):
-    """Write the case."""
-    for name in ("0", "constant", "system"):
-        (folder/name).mkdir(parents=True, exist_ok=True)
-    corners = " ".join(
-        f"({x} {y} {z})" for z in (0, LENGTH)
-        for x, y in ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)))
-    texts = {
-        "system/blockMeshDict": f"vertices ({corners});\n"
-            "blocks (hex (0 1 2 3 4 5 6 7) (4 4 10) simpleGrading (1 1 1));\n"
-            "boundary ( ends { type patch; faces ((0 3 2 1)(4 5 6 7)); }\n"
-            "sides { type wall; faces ((0 1 5 4)(1 2 6 5)(2 3 7 6)(3 0 4 7)); } );",
+def write(folder, end, cut="(1 1 2)", ends=ENDS, **options):
+    """Write the case. ends: the patches at the ends of the box; options: those of control."""
+    dictionaries.write_all(folder, {
+        "system/blockMeshDict": dictionaries.block(
+            (-0.1, -0.1, 0), (0.1, 0.1, LENGTH), "4 4 10",
+            {**{name: ("patch", side) for name, side in ends.items()}, "sides": ("wall", "xlo xhi ylo yhi")}),
         "system/decomposeParDict":
             f"numberOfSubdomains 2; method simple; simpleCoeffs {{ n {cut}; delta 0.001; }}",
         "system/fvSchemes": "ddtSchemes { default none; } gradSchemes { default none; }\n"
@@ -120,19 +116,12 @@ subModels
 }}
 cloudFunctions {{}}
 """,
-    }
-    for name, text in texts.items():
-        (folder/name).write_text(HEADER.format("dictionary", name.split("/")[1]) + text)
-    (folder/"constant/g").write_text(
-        HEADER.format("uniformDimensionedVectorField", "g")
-        + "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);\n")
-    (folder/"0/U").write_text(
-        HEADER.format("volVectorField", "U") + "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);\n"
-        'boundaryField { ".*" { type fixedValue; value uniform (0 0 0); } }\n')
-    rows = "\n".join(
-        "(" + " ".join(repr(v) for v in place) + ") (" + " ".join(repr(v) for v in velocity)
-        + f") {d} {RHO} 1e-6" for place, velocity, d in injectors())
-    (folder/"constant/injectors").write_text(
-        HEADER.format("GlobalIOList<kinematicParcelInjectionData>", "injectors")
-        + f"{len(injectors())}\n(\n{rows}\n)\n")
+    })
+    dictionaries.write(folder/"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);",
+                       "uniformDimensionedVectorField")
+    dictionaries.write_field(folder, "U", "0 1 -1", "(0 0 0)", {".*": "type fixedValue; value uniform (0 0 0);"})
+    rows = "\n".join(f"{dictionaries.vector(place)} {dictionaries.vector(velocity)} {d} {RHO} 1e-6"
+                     for place, velocity, d in injectors())
+    dictionaries.write(folder/"constant/injectors", f"{len(injectors())}\n(\n{rows}\n)",
+                       "GlobalIOList<kinematicParcelInjectionData>")
     control(folder, end, **options)

@@ -4,6 +4,7 @@
 """particleSamplingPlanes against a stream of which every crossing is known."""
 
 # processors: 2
+# label: long
 
 import math
 import unittest
@@ -12,6 +13,7 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
+from grainjet import tables
 
 END = 2.3        # s: by then all have left
 PARCELS = 100    # of each injector
@@ -19,10 +21,7 @@ PARCELS = 100    # of each injector
 
 def table(folder, plane, start="0"):
     """Columns of a profile by name."""
-    path = folder/f"postProcessing/profiles/{start}/plane_{plane:g}D.dat"
-    header = [line for line in path.read_text().splitlines() if line.startswith("#")][-1]
-    columns = numpy.loadtxt(path, ndmin=2).T
-    return dict(zip(header[1:].split(), columns, strict=True))
+    return tables.read(folder/f"postProcessing/profiles/{start}/plane_{plane:g}D.dat")
 
 
 def expected():

@@ -9,70 +9,54 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
+from grainjet import dictionaries
 
 END = 0.2
 
 
-def volume_field(path, kind, dimensions, inlet, other='type zeroGradient;'):
-    path.write_text(
-        stream.HEADER.format(f"vol{kind}Field", path.name)
-        + f"dimensions {dimensions}; internalField uniform {inlet};\nboundaryField {{\n"
-        + f"inlet {{ type fixedValue; value uniform {inlet}; }} outlet {{ type zeroGradient; }}\n"
-        + f"sides {{ {other} }} }}\n")
+def write_field(folder, name, dimensions, inlet, sides="type zeroGradient;"):
+    dictionaries.write_field(folder, name, dimensions, inlet, {
+        "inlet": f"type fixedValue; value uniform {inlet};", "outlet": "type zeroGradient;", "sides": sides})
 
 
 class DPMFoam(grainjet.Case):
 
     def run_case(self, name, model, coefficients=""):
         folder = self.folder/name
-        stream.write(folder, END, functions=stream.sampling(planes="(2 6)"))
-
-        def dictionary(path, text):
-            (folder/path).write_text(stream.HEADER.format("dictionary", path.split("/")[1]) + text)
-
-        mesh = folder/"system/blockMeshDict"
-        mesh.write_text(mesh.read_text().replace(
-            "ends { type patch; faces ((0 3 2 1)(4 5 6 7)); }",
-            "inlet { type patch; faces ((0 3 2 1)); } outlet { type patch; faces ((4 5 6 7)); }"))
-        control = folder/"system/controlDict"
-        control.write_text(control.read_text().replace(
-            "startFrom", 'libs ("libjetTurbulenceModels.so");\nstartFrom', 1))
-        dictionary("constant/transportProperties",
-                   "continuousPhase air; rho.air 1.2; transportModel Newtonian; nu 1e-05;")
-        dictionary("constant/turbulenceProperties.air",
-                   "simulationType RAS; RAS { RASModel %s; turbulence on; printCoeffs on; %sCoeffs { %s } }"
-                   % (model, model, coefficients))
-        dictionary("system/fvSchemes", """
+        stream.write(folder, END, ends={"inlet": "zlo", "outlet": "zhi"},
+                     functions=stream.sampling(planes="(2 6)"))
+        dictionaries.change(folder/"system/controlDict",
+                            ("startFrom", 'libs ("libjetTurbulenceModels.so");\nstartFrom'))
+        dictionaries.write_all(folder, {
+            "constant/transportProperties": "continuousPhase air; rho.air 1.2; transportModel Newtonian; nu 1e-05;",
+            "constant/turbulenceProperties.air":
+                "simulationType RAS; RAS { RASModel %s; turbulence on; printCoeffs on; %sCoeffs { %s } }"
+                % (model, model, coefficients),
+            "system/fvSchemes": """
 ddtSchemes { default Euler; } gradSchemes { default Gauss linear; } divSchemes { default Gauss upwind;
 div(((alpha.air*nuEff.air)*dev2(T(grad(U.air))))) Gauss linear; }
 laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }""")
-        dictionary("system/fvSolution", """
+snGradSchemes { default corrected; }""",
+            "system/fvSolution": """
 solvers { ".*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }
 "p.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; } }
-PIMPLE { nCorrectors 2; }""")
-        cloud = folder/"constant/kinematicCloudProperties"
-        cloud.write_text(
-            cloud.read_text()
-            .replace("coupled false;", "coupled true; sourceTerms { schemes { U semiImplicit 1; } }")
-            .replace("interpolationSchemes { rho cell; U cell; mu cell; }",
-                     "interpolationSchemes { rho.air cell; U.air cell; mu.air cell; }")
-            .replace("constantProperties {", "constantProperties { alphaMax 0.9;")
-            .replace("particleForces {}", "particleForces { sphereDrag; }"))
+PIMPLE { nCorrectors 2; }"""})
+        dictionaries.change(
+            folder/"constant/kinematicCloudProperties",
+            ("coupled false;", "coupled true; sourceTerms { schemes { U semiImplicit 1; } }"),
+            ("interpolationSchemes { rho cell; U cell; mu cell; }",
+             "interpolationSchemes { rho.air cell; U.air cell; mu.air cell; }"),
+            ("constantProperties {", "constantProperties { alphaMax 0.9;"),
+            ("particleForces {}", "particleForces { sphereDrag; }"))
         (folder/"0/U").unlink()
-        volume_field(folder/"0/U.air", "Vector", "[0 1 -1 0 0 0 0]", "(0 0 2)", "type noSlip;")
-        volume_field(folder/"0/k.air", "Scalar", "[0 2 -2 0 0 0 0]", 0.02,
-                     "type kqRWallFunction; value uniform 0.02;")
-        volume_field(folder/"0/epsilon.air", "Scalar", "[0 2 -3 0 0 0 0]", 0.06,
-                     "type epsilonWallFunction; value uniform 0.06;")
-        for field, dimensions, text in (
-                ("nut.air", "[0 2 -1 0 0 0 0]",
-                 'sides { type nutkWallFunction; value uniform 0; } "inlet|outlet" { type calculated; value uniform 0; }'),
-                ("p", "[0 2 -2 0 0 0 0]",
-                 'outlet { type fixedValue; value uniform 0; } "inlet|sides" { type fixedFluxPressure; phi phi.air; value uniform 0; }')):
-            (folder/"0"/field).write_text(
-                stream.HEADER.format("volScalarField", field)
-                + f"dimensions {dimensions}; internalField uniform 0; boundaryField {{ {text} }}\n")
+        write_field(folder, "U.air", "0 1 -1", "(0 0 2)", "type noSlip;")
+        write_field(folder, "k.air", "0 2 -2", 0.02, "type kqRWallFunction; value uniform 0.02;")
+        write_field(folder, "epsilon.air", "0 2 -3", 0.06, "type epsilonWallFunction; value uniform 0.06;")
+        dictionaries.write_field(folder, "nut.air", "0 2 -1", 0, {
+            "sides": "type nutkWallFunction; value uniform 0;", "inlet|outlet": "type calculated; value uniform 0;"})
+        dictionaries.write_field(folder, "p", "0 2 -2", 0, {
+            "outlet": "type fixedValue; value uniform 0;",
+            "inlet|sides": "type fixedFluxPressure; phi phi.air; value uniform 0;"})
         self.foam("blockMesh", folder)
         self.log = self.foam("DPMFoam", folder).output
         return folder

@@ -6,39 +6,18 @@
 # processors: 2
 
 import math
-import pathlib
 import random
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2]/"liggghtsCoupling/tests"))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dumps, scripts
 
 DIAMETER = 0.01                       # m, unit of the planes
 PLANES = {1: 0.0101, 2: 0.0203}       # number: z in m
 DT, DEM_DT, STEPS = 1e-4, 1e-5, 120
 GRAIN = 2e-4                          # m
-
-STL = """solid plane
-facet normal 0 0 1
-outer loop
-vertex 0 0 {z}
-vertex 0.02 0 {z}
-vertex 0.02 0.02 {z}
-endloop
-endfacet
-facet normal 0 0 1
-outer loop
-vertex 0 0 {z}
-vertex 0.02 0.02 {z}
-vertex 0 0.02 {z}
-endloop
-endfacet
-endsolid plane
-"""
 
 SAMPLING = f"""
 profiles
@@ -62,7 +41,8 @@ class Massflow(grainjet.Case):
         velocities = [[rng.gauss(0, 0.1), rng.gauss(0, 0.1), rng.gauss(0.3, 1.0)] for _ in positions]
         fixes = []
         for name, z in PLANES.items():
-            (folder/f"plane{name}.stl").write_text(STL.format(z=z))
+            (folder/f"plane{name}.stl").write_text(scripts.stl(*scripts.rectangle(
+                (0, 0, z), (0.02, 0, z), (0.02, 0.02, z), (0, 0.02, z))))
             fixes.append(f"fix plane{name} all mesh/surface file plane{name}.stl type 1")
             fixes += [f"fix {way}{name} all massflow/mesh mesh plane{name} vec_side 0 0 {side} "
                       f"count multiple file {way}{name}.txt writeTime"
@@ -126,13 +106,13 @@ class Massflow(grainjet.Case):
                       functions=SAMPLING.replace("planes (", f"planes ({plane/DIAMETER!r} "))
             box.script(folder, grains=box.grains(positions, velocities, diameter=GRAIN), dt=DEM_DT,
                        boundary="f f f", fixes="neigh_modify delay 0 every 1 check no",
-                       end="thermo_modify lost ignore\ndump d all custom 600 end.dump id z")
+                       end="thermo_modify lost ignore\n" + scripts.dump(600, "end.dump", "id z"))
             box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay")
             self.foam("blockMesh", folder)
             if ranks:
                 self.foam("decomposePar", folder)
             self.foam("pimpleFoam", folder, ranks=ranks)
-            left = box.read_dump(folder/"end.dump")
+            left = dumps.last(folder/"end.dump")
             beyond = sum(row[0] > plane for row in left.values())
             events = numpy.loadtxt(folder/"postProcessing/profiles/0/events.dat")
             crossed = events[events[:, 1] > 3.9]

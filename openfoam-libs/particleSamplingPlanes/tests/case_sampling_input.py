@@ -4,6 +4,7 @@
 """particleSamplingPlanes: input that is refused before the first step, odd case paths, edits during the run."""
 
 # processors: 2
+# label: long
 
 import unittest
 
@@ -11,6 +12,7 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
+from grainjet import dictionaries
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 WRONG = (                            # words of the error; the entries
@@ -83,15 +85,12 @@ class Input(grainjet.Case):
     def test_steady_solver(self):
         stream.write(self.folder, 5)
         self.foam("blockMesh")
-        for name, text in (
-                ("constant/transportProperties", "DT [0 2 -1 0 0 0 0] 1;"),
-                ("system/fvSolution", "solvers {} SIMPLE {}")):
-            (self.folder/name).write_text(stream.HEADER.format("dictionary", name.split("/")[1]) + text)
-        (self.folder/"0/T").write_text(
-            stream.HEADER.format("volScalarField", "T") + "dimensions [0 0 0 1 0 0 0]; internalField uniform 1;\n"
-            'boundaryField { ".*" { type zeroGradient; } }\n')
-        schemes = self.folder/"system/fvSchemes"
-        schemes.write_text(schemes.read_text().replace("ddtSchemes { default none;", "ddtSchemes { default steadyState;"))
+        dictionaries.write_all(self.folder, {
+            "constant/transportProperties": "DT [0 2 -1 0 0 0 0] 1;",
+            "system/fvSolution": "solvers {} SIMPLE {}"})
+        dictionaries.write_field(self.folder, "T", "[0 0 0 1 0 0 0]", 1, {".*": "type zeroGradient;"})
+        dictionaries.change(self.folder/"system/fvSchemes",
+                            ("ddtSchemes { default none;", "ddtSchemes { default steadyState;"))
         self.assertFails(self.foam("scalarTransportFoam", check=False), "FOAM FATAL IO ERROR", "samples in time", "steadyState")
 
     def test_folder_that_cannot_be_made(self):

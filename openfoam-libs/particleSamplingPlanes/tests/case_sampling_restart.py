@@ -4,6 +4,7 @@
 """particleSamplingPlanes: a restart continues the averages or says why not; it never begins anew unasked."""
 
 # processors: 2
+# label: long
 
 import shutil
 import unittest
@@ -12,6 +13,7 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
+from grainjet import dictionaries
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 BREAK, END = 0.4, 0.8            # s; fields are written every 0.2 s
@@ -125,8 +127,7 @@ class Restart(grainjet.Case):
         for path in folder.glob("0.*/uniform"):
             shutil.rmtree(path)
         stream.control(folder, END, functions=late)
-        path = folder/"system/controlDict"
-        path.write_text(path.read_text().replace("startTime 0;", "startTime 0.4;"))
+        dictionaries.change(folder/"system/controlDict", ("startTime 0;", "startTime 0.4;"))
         self.foam(SOLVER, folder)
         folder = self.start("zero")
         self.assertNotIn("continues", self.go_on(folder, start="startTime").output)

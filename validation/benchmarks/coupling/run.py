@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What the coupling costs: coupled run against fluid alone and grains alone.
 
     overhead = (coupled - fluid - grains)/(fluid + grains)
@@ -32,14 +32,11 @@ import re
 import shutil
 import statistics
 import subprocess
-import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "validation/testing"), str(ROOT / "openfoam-libs/liggghtsCoupling/tests")]
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries, scripts, tables
 
 SIDE, CELLS = 0.037, 37
 SKIP, PIECE, PIECES = 5, 5, 7     # fluid steps before the first piece and in each; their number
@@ -55,16 +52,9 @@ ENV = {**grainjet.ENV, "OMPI_MCA_mpi_yield_when_idle": "0"}
 def write_grains(folder, n):
     """A data file of n grains at random places."""
     rng = random.Random(1)
-    with open(folder / "constant/grains.data", "w") as out:
-        out.write(f"grains\n\n{n} atoms\n1 atom types\n\n"
-                  + "".join(f"0 {SIDE} {k}lo {k}hi\n" for k in "xyz") + "\nAtoms\n\n")
-        for i in range(1, n + 1):
-            x, y, z = (rng.uniform(0, SIDE) for _ in range(3))
-            out.write(f"{i} 1 8e-5 2950 {x} {y} {z}\n")
-        out.write("\nVelocities\n\n")
-        for i in range(1, n + 1):
-            u, v, w = (rng.gauss(m, 0.3) for m in (0, 0, 6))
-            out.write(f"{i} {u} {v} {w} 0 0 0\n")
+    places = [[rng.uniform(0, SIDE) for _ in range(3)] for _ in range(n)]
+    (folder / "constant/grains.data").write_text(scripts.data(
+        [(1, 8e-5, 2950, x, [rng.gauss(m, 0.3) for m in (0, 0, 6)]) for x in places], ((0, SIDE),) * 3))
 
 
 def write_vortices(folder):
@@ -78,26 +68,20 @@ def write_vortices(folder):
                 x, y = k * (i + 0.5), k * (j + 0.5)
                 values.append(f"({math.sin(x) * math.cos(y):.9g} {-math.cos(x) * math.sin(y):.9g} "
                               f"{8 + 0.5 * math.sin(x):.9g})")
-    path = folder / "0/U"
-    path.write_text(path.read_text().replace(
-        "uniform (0 0 8)", f"nonuniform List<vector> {len(values)}\n(\n" + "\n".join(values) + "\n)"))
+    dictionaries.change(folder / "0/U", ("uniform (0 0 8)", dictionaries.nonuniform(values)))
 
 
 def write_turbulence(folder, outer):
     """kEpsilon with the schemes and linear solvers of the main job."""
     for name in ("fvSchemes", "fvSolution"):
-        text = (ROOT / "cases/quickJet/system" / name).read_text()
+        text = (grainjet.ROOT / "cases/quickJet/system" / name).read_text()
         (folder / "system" / name).write_text(text.replace(
             "nOuterCorrectors 1;", f"nOuterCorrectors {outer}; pRefCell 0; pRefValue 0;"))
-    (folder / "constant/turbulenceProperties").write_text(
-        box.HEADER.format("dictionary", "turbulenceProperties")
-        + "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
+    dictionaries.write(folder / "constant/turbulenceProperties",
+                       "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }")
     for field, dimensions, value in (("k", "0 2 -2", 0.24), ("epsilon", "0 2 -3", 18.4),
                                      ("nut", "0 2 -1", 0)):
-        (folder / "0" / field).write_text(
-            box.HEADER.format("volScalarField", field)
-            + f"dimensions [{dimensions} 0 0 0 0]; internalField uniform {value};\n"
-            'boundaryField { ".*" { type cyclic; } }\n')
+        dictionaries.write_field(folder, field, dimensions, value, {".*": "type cyclic;"})
 
 
 def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False, outer=1):
@@ -105,15 +89,7 @@ def write_case(folder, grains, interval, ranks, steps, coupled, two_way=False, o
     dt = interval * DEM_STEP
     box.write(folder, steps=steps, delta_t=dt, cells=" ".join([str(CELLS)] * 3),
               velocity="(0 0 8)", ranks=ranks, decomposition=f"(1 1 {ranks})",
-              libs='("libliggghtsCoupling.so")' if coupled else "()")
-    mm = 1000 * SIDE
-    corners = [(x * mm, y * mm, z * mm) for z in (0, 1)
-               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-    mesh = folder / "system/blockMeshDict"
-    text = mesh.read_text()
-    start, stop = text.index("vertices"), text.index("blocks")
-    mesh.write_text(text[:start] + "vertices (" + " ".join(
-        "({:g} {:g} {:g})".format(*c) for c in corners) + ");\n" + text[stop:])
+              libs='("libliggghtsCoupling.so")' if coupled else "()", size=[1000 * SIDE] * 3)
     write_turbulence(folder, outer)
     # one script for both: alone it runs by itself
     box.script(folder, grains="", dt=DEM_STEP, plugins=PLUGINS,
@@ -188,11 +164,8 @@ def own_clock(folder):
     """The coupling's time over that of fluid and DEM in the latest run of a case, in %."""
     table = max(folder.glob("postProcessing/liggghtsCoupling/*/balance*.dat"),
                 key=lambda path: path.stat().st_mtime)
-    rows = [line.split() for line in table.read_text().splitlines()]
-    names = [row for row in rows if row[0] == "#"][-1][1:]
-    last = [[float(cell) for cell in row] for row in rows if row[0] != "#"][SKIP:]
-    fluid, dem, coupling = (sum(row[names.index("seconds" + part)] for row in last)
-                            for part in ("Fluid", "DEM", "Coupling"))
+    columns = tables.read(table)
+    fluid, dem, coupling = (columns["seconds" + part][SKIP:].sum() for part in ("Fluid", "DEM", "Coupling"))
     return 100 * coupling / (fluid + dem)
 
 
@@ -218,8 +191,7 @@ def memory(options, work):
         for grains in (few, many):
             folder = work / f"memory-{ranks}-{grains}"
             write_case(folder, grains, 10, ranks, 5, True, options.two_way)
-            control = folder / "system/controlDict"
-            control.write_text(control.read_text().replace("writeInterval 5;", "writeInterval 100;"))
+            dictionaries.put(folder / "system/controlDict", writeInterval=100)
             prepare(folder, ranks)
             alone = (folder / "in.alone").read_text()
             (folder / "in.alone").write_text("\n".join(

@@ -13,14 +13,7 @@ import random
 import re
 import shutil
 
-HEADER = """FoamFile
-{{
-    version     2.0;
-    format      ascii;
-    class       {kind};
-    object      {name};
-}}
-"""
+from grainjet import dictionaries
 
 # What DPMFoam reads of each parcel beside place, velocity and size; at rest, without contacts
 PARCEL_FIELDS = {
@@ -38,12 +31,6 @@ PARCEL_FIELDS = {
 }
 
 
-def write(path, kind, text):
-    """A file of OpenFOAM with its header."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(HEADER.format(kind=kind, name=path.name) + text)
-
-
 def vector(components):
     return "({:.10g} {:.10g} {:.10g})".format(*components)
 
@@ -54,8 +41,8 @@ def listed(values):
 
 def write_cloud_geometry(time, name, geometry, particles):
     """How places are given in a cloud's files, and how many ids are taken."""
-    write(time/"uniform/lagrangian"/name/"cloudProperties", "dictionary",
-          f"geometry {geometry};\nprocessor0 {{ particleCount {particles}; }}\n")
+    dictionaries.write(time/"uniform/lagrangian"/name/"cloudProperties",
+                       f"geometry {geometry};\nprocessor0 {{ particleCount {particles}; }}")
 
 
 def write_cloud(time, name, positions, fields, first_id=0):
@@ -65,10 +52,10 @@ def write_cloud(time, name, positions, fields, first_id=0):
     cloud = time/"lagrangian"/name
     fields = {"origProcId": ("labelField", "0"),
               "origId": ("labelField", [str(i) for i in ids]), **fields}
-    write(cloud/"positions", "Cloud", listed([f"{vector(x)} -1" for x in positions]))
+    dictionaries.write(cloud/"positions", listed([f"{vector(x)} -1" for x in positions]), "Cloud")
     for field, (kind, values) in fields.items():
         text = (f"{len(positions)}{{{values}}}\n" if isinstance(values, str) else listed(values))
-        write(cloud/field, kind, text)
+        dictionaries.write(cloud/field, text, kind)
 
 
 def write_parcels(time, positions, velocities, p):
@@ -132,7 +119,7 @@ def write_cloud_properties(case, p, steps):
     alpha = math.sqrt(5)*abs(log_e)/math.hypot(log_e, math.pi)
     contact = f"""useEquivalentSize yes; volumeFactor 1; alpha {alpha:.6g}; b 1.5;
             mu {p['friction']:g}; cohesionEnergyDensity 0; collisionResolutionSteps {steps:.6g};"""
-    write(case/"constant/kinematicCloudProperties", "dictionary", f"""
+    dictionaries.write(case/"constant/kinematicCloudProperties", f"""
 solution
 {{
     active yes; coupled yes; transient yes; cellValueSourceCorrection off;
@@ -195,7 +182,7 @@ cloudFunctions {{}}
 
 def write_dictionaries(case, job, p, window, write_interval):
     """constant/ and system/ but for the cloud: the numerics of the main job under DPMFoam's names."""
-    write(case/"system/controlDict", "dictionary", f"""
+    dictionaries.write(case/"system/controlDict", f"""
 application DPMFoam; startFrom startTime; startTime 0; stopAt endTime; endTime {window:.10g};
 deltaT {p['fluidStep']:g}; writeControl runTime; writeInterval {write_interval:.10g};
 writeFormat ascii; writePrecision 12; timePrecision 8; runTimeModifiable no;
@@ -221,21 +208,17 @@ functions
     (case/"system/fvSolution").write_text(
         solution.replace('"(U|k|epsilon)"', '"(U|k|epsilon).air(Final)?"'))
 
-    write(case/"constant/transportProperties", "dictionary",
-          f"continuousPhase air; rho.air {p['rhoFluid']:g}; transportModel Newtonian; "
-          f"nu {p['D']*p['Umean']/p['Re']:g};\n")
+    dictionaries.write(case/"constant/transportProperties",
+                       f"continuousPhase air; rho.air {p['rhoFluid']:g}; transportModel Newtonian; "
+                       f"nu {p['D']*p['Umean']/p['Re']:g};")
     # jetKEpsilon without correction is kEpsilon with these two coefficients
     coefficients = dict(re.findall(r"\b(C[12])\s+([\d.]+);",
                                    (job/"constant/turbulenceProperties").read_text()))
-    write(case/"constant/turbulenceProperties.air", "dictionary",
-          "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs on; "
-          f"kEpsilonCoeffs {{ C1 {coefficients['C1']}; C2 {coefficients['C2']}; }} }}\n")
-    write(case/"constant/g", "uniformDimensionedVectorField",
-          f"dimensions [0 1 -2 0 0 0 0]; value (0 0 {p['gravity']:g});\n")
-
-
-# In an ascii field: the numbers of the interior, or of one patch after a keyword
-INTERIOR = re.compile(r"internalField\s+nonuniform List<scalar>\s*\d+\s*\(([^)]*)\)")
+    dictionaries.write(case/"constant/turbulenceProperties.air",
+                       "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs on; "
+                       f"kEpsilonCoeffs {{ C1 {coefficients['C1']}; C2 {coefficients['C2']}; }} }}")
+    dictionaries.write(case/"constant/g", f"dimensions [0 1 -2 0 0 0 0]; value (0 0 {p['gravity']:g});",
+                       "uniformDimensionedVectorField")
 
 
 def patch_text(text, patch):
@@ -252,9 +235,8 @@ def write_fields(time, populated, heights, gravity):
         (time/f"{old}.air").write_text(re.sub(rf"object\s+{old};", f"object {old}.air;", text, count=1))
 
     z = heights.read_text()
-    text = (populated/"p").read_text()
-    sums = [f"{float(a) + gravity*float(b):.12g}"
-            for a, b in zip(INTERIOR.search(text)[1].split(), INTERIOR.search(z)[1].split())]
+    pairs = zip(dictionaries.internal(populated/"p"), dictionaries.internal(heights), strict=True)
+    sums = [f"{a + gravity*b:.12g}" for a, b in pairs]
     patches = ["inlet { type fixedFluxPressure; phi phi.air; value uniform 0; }",
                "pipeWall { type fixedFluxPressure; phi phi.air; value uniform 0; }"]
     for patch in ("entrainment", "outlet"):
@@ -267,6 +249,4 @@ def write_fields(time, populated, heights, gravity):
             weight = f"uniform {gravity*float(re.search(r'value +uniform ([^;]+);', found)[1]):.12g}"
         patches.append(f"{patch} {{ type totalPressure; U U.air; phi phi.air; p0 {weight}; "
                        f"value {weight}; }}")
-    write(time/"p", "volScalarField",
-          f"dimensions [0 2 -2 0 0 0 0];\ninternalField nonuniform List<scalar> {listed(sums)};\n"
-          "boundaryField\n{\n" + "\n".join(patches) + "\n}\n")
+    dictionaries.write_field(time.parent, "p", "0 2 -2", dictionaries.nonuniform(sums), "\n".join(patches))

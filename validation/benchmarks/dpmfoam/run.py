@@ -20,38 +20,22 @@ import re
 import resource
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT/"validation"/"testing"), str(ROOT/"validation"/"plots")]
-import fields      # noqa: E402
-import grainjet    # noqa: E402
-import tables      # noqa: E402
-
-import dpm_case    # noqa: E402
+import dpm_case
+import grainjet
+from grainjet import dictionaries, fields, tables
 
 SLAB = 4        # length of the pieces of the axis in which grains are averaged, in D
 NEAR = 0.2      # grains nearer to the axis than this count, in D
 
 
 def parameters(case):
-    """The plain numbers of system/parameters."""
-    return {name: float(value) for name, value in
-            re.findall(r"^(\w+)\s+([-+.\deE]+);", (case/"system"/"parameters").read_text(), re.M)}
-
-
-def put(path, **values):
-    """Other values for entries of a dictionary; each must be there."""
-    text = path.read_text()
-    for name, value in values.items():
-        text, found = re.subn(rf"^({name}\s+)[^;]+;", rf"\g<1>{value};", text, count=1, flags=re.M)
-        if not found:
-            raise SystemExit(f"{path}: no entry {name}")
-    path.write_text(text)
+    """The entries of system/parameters."""
+    return dictionaries.values(case/"system"/"parameters")
 
 
 def done(command, folder, log):
@@ -105,17 +89,17 @@ def fill(work, filled, cg):
     if (job/"complete").exists():
         return job
     shutil.rmtree(job, ignore_errors=True)
-    shutil.copytree(ROOT/"cases"/"quickJet", job, ignore=shutil.ignore_patterns(
+    shutil.copytree(grainjet.ROOT/"cases"/"quickJet", job, ignore=shutil.ignore_patterns(
         "tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "0",
         "0.[0-9]*", "[1-9]*"))
     # ascii, because the other case is made from its fields; 17 digits lose nothing
     p = parameters(job)
     finer = p["cg"]/cg          # smaller grains need shorter DEM steps, in proportion
-    put(job/"system"/"parameters", endTime=filled, writeInterval=filled, cg=f"{cg:g}",
+    dictionaries.put(job/"system"/"parameters", endTime=filled, writeInterval=filled, cg=f"{cg:g}",
         couplingInterval=round(finer*p["couplingInterval"]),
         insertionInterval=round(finer*p["insertionInterval"]))
-    put(job/"system"/"controlDict", writeFormat="ascii", writePrecision=17)
-    put(job/"spinUp"/"system"/"controlDict", writeFormat="ascii")
+    dictionaries.put(job/"system"/"controlDict", writeFormat="ascii", writePrecision=17)
+    dictionaries.put(job/"spinUp"/"system"/"controlDict", writeFormat="ascii")
     control = job/"system"/"controlDict"
     text, found = re.subn(r"\n    profiles\s*\{[^}]*\}\n", "\n", control.read_text())
     if found != 1:
@@ -153,9 +137,9 @@ def main_job(job, case, p, steps, ranks):
         shutil.copytree(job/part, case/part)
     window = steps*p["fluidStep"]
     end = float(state.name) + window
-    put(case/"system"/"parameters", endTime=f"{end:.10g}", writeInterval=f"{window:.10g}")
+    dictionaries.put(case/"system"/"parameters", endTime=f"{end:.10g}", writeInterval=f"{window:.10g}")
     if ranks > 1:
-        put(case/"system"/"decomposeParDict", numberOfSubdomains=ranks)
+        dictionaries.put(case/"system"/"decomposeParDict", numberOfSubdomains=ranks)
         put_slices(case, ranks)
         done(["decomposePar", "-latestTime"], case, "log.decomposePar")
     run = Measured("pimpleFoam", case, ranks)
@@ -191,7 +175,7 @@ def dpm(job, case, p, steps, ranks, resolution=None):
     dpm_case.write_parcels(case/"0", positions, data["U"], p)
     first = case/"0"
     if ranks > 1:
-        put(case/"system"/"decomposeParDict", numberOfSubdomains=ranks)
+        dictionaries.put(case/"system"/"decomposeParDict", numberOfSubdomains=ranks)
         put_slices(case, ranks)
         done(["decomposePar"], case, "log.decomposePar")
         first = case/"processor0"/"0"     # slices along the axis: the inlet lies on the first rank

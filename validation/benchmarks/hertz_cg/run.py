@@ -1,7 +1,7 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Speed of `fix hertz/cg` against the stock pair style, in one run, alternating.
 
-    run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--skin X ...] [--profile]
+    source environment; run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--skin X ...] [--profile]
 
 Cases
     first   a dilute stream in a pipe with the settings a user writes first:
@@ -30,13 +30,11 @@ import resource
 import shutil
 import statistics
 import subprocess
-import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "validation" / "testing"))
-import grainjet  # noqa: E402
-import walls  # noqa: E402
+import grainjet
+import walls
+from grainjet import scripts
 
 D, DENSITY, PIPE = 80e-6, 2950.0, 14.2e-3
 
@@ -58,24 +56,21 @@ def stream(folder, grains):
     volume = grains * 3.14159265 / 6 * D ** 3 / 4e-4
     length = volume / (3.14159265 / 4 * PIPE ** 2)
     radius = 0.5 * PIPE
-    with open(folder / "stream.data", "w") as out:
-        out.write(f"stream\n\n{grains} atoms\n1 atom types\n")
-        out.write(f"{-radius} {radius} xlo xhi\n{-radius} {radius} ylo yhi\n0 {length} zlo zhi\n\nAtoms\n\n")
-        taken = {}      # cells of one diameter: no two grains may overlap at the start
-        for i in range(1, grains + 1):
-            while True:
-                x, y, z = rng.uniform(-radius, radius), rng.uniform(-radius, radius), rng.random() * length
-                cell = (int(x // D), int(y // D), int(z // D))
-                near = [taken[key] for key in itertools.product(*((c - 1, c, c + 1) for c in cell)) if key in taken]
-                if x * x + y * y < (radius - D) ** 2 and D < z < length - D and not any(
-                        math.dist((x, y, z), other) < 1.01 * D for other in near):
-                    break
-            taken[cell] = (x, y, z)
-            out.write(f"{i} 1 {D} {DENSITY} {x} {y} {z}\n")
-        out.write("\nVelocities\n\n")
-        for i in range(1, grains + 1):
-            v = [rng.gauss(0, 0.3) for _ in range(3)]
-            out.write(f"{i} {v[0]} {v[1]} {6 + v[2]} 0 0 0\n")
+    places = []
+    taken = {}      # cells of one diameter: no two grains may overlap at the start
+    for _ in range(grains):
+        while True:
+            x, y, z = rng.uniform(-radius, radius), rng.uniform(-radius, radius), rng.random() * length
+            cell = (int(x // D), int(y // D), int(z // D))
+            near = [taken[key] for key in itertools.product(*((c - 1, c, c + 1) for c in cell)) if key in taken]
+            if x * x + y * y < (radius - D) ** 2 and D < z < length - D and not any(
+                    math.dist((x, y, z), other) < 1.01 * D for other in near):
+                break
+        taken[cell] = (x, y, z)
+        places.append((x, y, z))
+    (folder / "stream.data").write_text(scripts.data(
+        [(1, D, DENSITY, x, [rng.gauss(mean, 0.3) for mean in (0, 0, 6)]) for x in places],
+        ((-radius, radius), (-radius, radius), (0, length))))
 
 
 def stream_script(law, settings, steps):
@@ -108,15 +103,14 @@ def bed(folder, grains):
     rng = random.Random(2)
     cells = int((grains / 2) ** (1 / 3) / 1.26) + 1
     pitch = side / cells
-    with open(folder / "loose.data", "w") as out:
-        layers = grains // cells ** 2 + 1
-        out.write(f"loose\n\n{grains} atoms\n1 atom types\n0 {side} xlo xhi\n0 {side} ylo yhi\n")
-        out.write(f"0 {(layers + 2) * 1.05 * D} zlo zhi\n\nAtoms\n\n")
-        for i in range(grains):
-            k, rest = divmod(i, cells ** 2)
-            x, y = rest % cells, rest // cells
-            out.write(f"{i + 1} 1 {D} {DENSITY} {(x + 0.5) * pitch + rng.uniform(-.02, .02) * D} "
-                      f"{(y + 0.5) * pitch + rng.uniform(-.02, .02) * D} {(k + 0.7) * 1.05 * D}\n")
+    layers, places = grains // cells ** 2 + 1, []
+    for i in range(grains):
+        k, rest = divmod(i, cells ** 2)
+        x, y = rest % cells, rest // cells
+        places.append(((x + 0.5) * pitch + rng.uniform(-.02, .02) * D, (y + 0.5) * pitch + rng.uniform(-.02, .02) * D,
+                       (k + 0.7) * 1.05 * D))
+    (folder / "loose.data").write_text(scripts.data(
+        [(1, D, DENSITY, x) for x in places], ((0, side), (0, side), (0, (layers + 2) * 1.05 * D))))
     (folder / "in.settle").write_text(bed_script(STOCK, "read_data loose.data", """
 fix s all viscous 2e-7
 run 20000

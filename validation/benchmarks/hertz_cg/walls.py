@@ -3,20 +3,12 @@ the settings of one script. Meshes are made here; lengths in units of the grain 
 
 import math
 
+from grainjet import scripts
+
 D = 4e-3
 
 LAWS = {"stock": ("", "pair_style gran model hertz tangential history\npair_coeff * *"),
         "plugin": ("plugin load hertzcgplugin.so", "fix c all hertz/cg")}
-
-
-def write_stl(path, triangles):
-    with open(path, "w") as out:
-        out.write("solid mesh\n")
-        for corners in triangles:
-            out.write("facet normal 0 0 0\nouter loop\n")
-            out.writelines("vertex %.9g %.9g %.9g\n" % corner for corner in corners)
-            out.write("endloop\nendfacet\n")
-        out.write("endsolid mesh\n")
 
 
 def sheet(point, n, m):
@@ -25,7 +17,7 @@ def sheet(point, n, m):
     for i in range(n):
         for k in range(m):
             a, b, c, d = (point(u / n, v / m) for u, v in ((i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1)))
-            out += [(a, b, c), (a, c, d)]
+            out += scripts.rectangle(a, b, c, d)
     return out
 
 
@@ -93,7 +85,7 @@ CASES = {
 def prepare(folder, case):
     """Write the mesh; number of triangles."""
     triangles = CASES[case]["mesh"]()
-    write_stl(folder / f"{case}.stl", triangles)
+    (folder / f"{case}.stl").write_text(scripts.stl(*triangles))
     return len(triangles)
 
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What fix plate/stats and fix fluid/force cost, as a share of the DEM step.
 
 50,000 grains of 80 um fly between two walls without loss, so that hundreds touch the plate
@@ -8,7 +8,7 @@ the ratios of neighbouring runs, with its standard error. Time is that on the pr
 (/proc/<pid>/schedstat), which other programs lengthen less than the time on the wall.
 Pair style and walls are stock.
 
-    validation/benchmarks/plate_stats/run.py [--pairs N] [--only name]
+    source environment; validation/benchmarks/plate_stats/run.py [--pairs N] [--only name]
 
 writes results/<name>.csv and prints a table. Takes about 6 minutes on one quiet core.
 """
@@ -20,12 +20,12 @@ import pathlib
 import random
 import re
 import statistics
-import sys
 import tempfile
 
+import grainjet
+from grainjet import scripts
+
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "testing"))
-import grainjet  # noqa: E402
 
 N, D, RHO, SPEED, WIDTH, HEIGHT, DT, STEPS = 50000, 80e-6, 2950.0, 1.2, 0.02, 0.002, 1e-6, 300
 
@@ -74,18 +74,12 @@ def data(path):
     pitch = 1.5 * D
     across, up = int(WIDTH / pitch), int(HEIGHT / pitch)
     places = random.sample(range(across * across * up), N)
-    with open(path, "w") as file:
-        half = WIDTH / 2
-        file.write(f"grains\n\n{N} atoms\n1 atom types\n\n{-half} {half} xlo xhi\n{-half} {half} ylo yhi\n"
-                   f"{-1e-4} {HEIGHT + 1e-4} zlo zhi\n\nAtoms\n\n")
-        for i, place in enumerate(places, 1):
-            x, y, z = place % across, place // across % across, place // across ** 2
-            file.write(f"{i} 1 {D} {RHO} {(x + 0.5) * pitch - half} {(y + 0.5) * pitch - half} "
-                       f"{(z + 0.5) * pitch}\n")
-        file.write("\nVelocities\n\n")
-        for i in range(1, N + 1):
-            v = [random.gauss(0, SPEED) for _ in range(3)]
-            file.write(f"{i} {v[0]} {v[1]} {v[2]} 0 0 0\n")
+    half, grains = WIDTH / 2, []
+    for place in places:
+        x, y, z = place % across, place // across % across, place // across ** 2
+        grains.append((1, D, RHO, ((x + 0.5) * pitch - half, (y + 0.5) * pitch - half, (z + 0.5) * pitch),
+                       [random.gauss(0, SPEED) for _ in range(3)]))
+    path.write_text(scripts.data(grains, ((-half, half), (-half, half), (-1e-4, HEIGHT + 1e-4))))
 
 
 # prints the nanoseconds that the LIGGGHTS process above has spent on a processor

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cost of particleSamplingPlanes per step: 100,000 grains through 12 planes, coupled to LIGGGHTS.
 
-    sampling_cost.py <work folder> [--grains 100000] [--steps 40] [--cells 20] [--interval 10]
+    source environment; sampling_cost.py <work folder> [--grains 100000] [--steps 40] [--cells 20] [--interval 10]
 
 A periodic box of 20 mm x 20 mm x 40 mm with 80 um grains that fly through air; --interval DEM steps of 1e-6 s per fluid step. OpenFOAM's
 profiling gives the time of the function object and of the whole run; the start-up of the first steps is left out.
@@ -13,12 +13,9 @@ profiling gives the time of the function object and of the whole run; the start-
 import argparse
 import pathlib
 import re
-import subprocess
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT/"openfoam-libs/liggghtsCoupling/tests"))
-import coupled_box as box
+import grainjet
+from grainjet import coupled_box as box, dictionaries
 
 DIAMETER = 80e-6      # m
 
@@ -33,9 +30,10 @@ profiles
 
 
 def run(folder, *command):
-    with (folder/f"log.{command[0]}").open("w") as output:
-        subprocess.run(["bash", "-c", f"source '{ROOT}/environment' && exec \"$@\"", "bash", *command],
-                       cwd=folder, stdout=output, stderr=subprocess.STDOUT, check=True)
+    result = grainjet.run(command, folder, timeout=7200)
+    (folder/f"log.{command[0]}").write_text(result.output)
+    if result.code:
+        raise SystemExit(repr(result))
 
 
 def profile(folder, steps, delta_t):
@@ -70,9 +68,8 @@ def main():
               "fix pack all insert/pack seed 86028121 distributiontemplate mixture insert_every once overlapcheck no vel gaussian 0 0 5 0.3 0.3 1 "
               f"region inside particles_in_region {args.grains}\nrun 1\nunfix pack")
     box.script(args.work, grains=region, dt=1e-6)
-    path = args.work/"constant/in.particles"
-    path.write_text(path.read_text().replace("neighbor 0.0005 bin", "neighbor 0.0003 bin")
-                    .replace("binsize 0.002", "binsize 0.0004").replace("sort 0 0", "sort 100 0.0005"))
+    dictionaries.change(args.work/"constant/in.particles", ("neighbor 0.0005 bin", "neighbor 0.0003 bin"),
+                        ("binsize 0.002", "binsize 0.0004"), ("sort 0 0", "sort 100 0.0005"))
     box.fv_options(args.work, couplingInterval=args.interval)
     run(args.work, "blockMesh")
     run(args.work, "pimpleFoam")

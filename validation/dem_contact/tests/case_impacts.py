@@ -2,13 +2,9 @@
 (2011) 643, as far as they have one (elastic normal impacts; oblique ones that slide all the time)."""
 
 import math
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import impacts as im  # noqa: E402
-from grainjet import Case  # noqa: E402
+from grainjet import Case, dumps, impacts as im, scripts
 
 GLASS = im.Material(youngs=48e9, poisson=0.20, restitution=1.0, friction=0.35)              # test 1
 ALLOY = im.Material(youngs=70e9, poisson=0.30, restitution=1.0, friction=0.0, rigid=True)   # test 2
@@ -20,11 +16,9 @@ class Impacts(Case):
     def history(self, material, ball, speed, plane):
         """Largest overlap, peak force and duration of one impact, from every step of it."""
         im.run(self.folder, material, ball, [im.Impact(speed)], plane=plane,
-               extra="dump h all custom 1 history id x fx\ndump_modify h sort id format \"%d %.17g %.17g\"")
-        lines = (self.folder / "history").read_text().split("\n")
-        one, other = (
-            [list(map(float, line.split())) for line in lines if line.startswith(f"{n} ") and len(line.split()) == 3]
-            for n in (1, 2))
+               extra=scripts.dump(1, "history", "id x fx", "h"))
+        one, other = ([row for frame in dumps.frames(self.folder / "history") for row in frame.rows if row[0] == n]
+                      for n in (1, 2))
         dt = im.hertz(material, ball, speed, plane)[2] / 2000
         radii = ball.radius * (1 + (im.LARGE if plane else 1))
         overlap = max(radii - (b[1] - a[1]) for a, b in zip(one, other))

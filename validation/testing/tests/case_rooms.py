@@ -108,6 +108,15 @@ class Rooms(unittest.TestCase):
              if "SPDX-License-Identifier: GPL-3.0-or-later" not in "\n".join(path.read_text().splitlines()[:12])],
             "no licence in the first lines")
 
+    def test_tests_share_by_the_package_and_wait_for_conditions(self):
+        """What several test folders need is in the package grainjet; no test imports another one."""
+        refused = re.compile(r"(?m)^.*(?:\bsys\.path\b|\btime\.sleep\b|^\s*(?:import|from) case_\w+).*$")
+        self.assertNone(
+            [f"{named(path)}: {found}" for path in kept()
+             if path.suffix == ".py" and "tests" in path.parts and path != pathlib.Path(__file__).resolve()
+             for found in refused.findall(path.read_text())],
+            "a test changes Python's path, sleeps, or imports another test")
+
     def test_no_products_are_kept(self):
         products = {".o", ".so", ".a", ".dep", ".pyc", ".log"}
         self.assertNone([named(path) for path in kept() if path.suffix in products], "products in the repository")

@@ -5,34 +5,22 @@
 other and with a wall like coarse grains, and grains enter at the rate and with the velocities of the main job."""
 
 import math
-import pathlib
 import statistics
-import sys
 import unittest
 
 import numpy
 
+import dpm_case
 import grainjet
-
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1]), str(grainjet.ROOT/"validation"/"plots")]
-import dpm_case  # noqa: E402
-import fields    # noqa: E402
-import run       # noqa: E402
+import run
+from grainjet import dictionaries, fields
 
 QUICK_JET = grainjet.ROOT/"cases"/"quickJet"
 SPEED = 5.0      # m/s, of each of two grains against each other, and of one against the wall
 
-MESH = """
-scale 1;
-vertices ((0 0 0) (0.004 0 0) (0.004 0.004 0) (0 0.004 0) (0 0 0.004) (0.004 0 0.004) (0.004 0.004 0.004) (0 0.004 0.004));
-blocks (hex (0 1 2 3 4 5 6 7) (4 4 4) simpleGrading (1 1 1));
-boundary
-(
-    pipeWall { type wall; faces ((0 4 7 3)); }
-    inlet { type patch; faces ((0 3 2 1)); } outlet { type patch; faces ((4 5 6 7)); }
-    entrainment { type patch; faces ((1 2 6 5) (0 1 5 4) (3 7 6 2)); }
-);
-"""
+MESH = dictionaries.block((0, 0, 0), (0.004, 0.004, 0.004), "4 4 4", {
+    "pipeWall": ("wall", "xlo"), "inlet": ("patch", "zlo"), "outlet": ("patch", "zhi"),
+    "entrainment": ("patch", "xhi ylo yhi")})
 
 
 class Grains(grainjet.Case):
@@ -40,15 +28,12 @@ class Grains(grainjet.Case):
     def write(self, p, steps):
         """A box of fluid too thin to matter, two grains about to meet, one before the wall."""
         case, start, grain = self.folder, self.folder/"0", p["cg"]*p["dParticle"]
-        dpm_case.write(case/"system/blockMeshDict", "dictionary", MESH)
+        dictionaries.write(case/"system/blockMeshDict", MESH)
         dpm_case.write_dictionaries(case, QUICK_JET, p, steps*p["fluidStep"], p["fluidStep"])
         dpm_case.write_cloud_properties(case, p, dpm_case.resolution_steps(p, 1, SPEED))
-        for name, kind, dimensions, value in (
-                ("U.air", "Vector", "[0 1 -1 0 0 0 0]", "(0 0 0)"), ("p", "Scalar", "[0 2 -2 0 0 0 0]", "0"),
-                ("k.air", "Scalar", "[0 2 -2 0 0 0 0]", "0.1"), ("nut.air", "Scalar", "[0 2 -1 0 0 0 0]", "0"),
-                ("epsilon.air", "Scalar", "[0 2 -3 0 0 0 0]", "1")):
-            dpm_case.write(start/name, f"vol{kind}Field", f"dimensions {dimensions}; internalField uniform {value};\n"
-                           f'boundaryField {{ ".*" {{ type fixedValue; value uniform {value}; }} }}\n')
+        for name, dimensions, value in (("U.air", "0 1 -1", "(0 0 0)"), ("p", "0 2 -2", 0), ("k.air", "0 2 -2", 0.1),
+                                        ("nut.air", "0 2 -1", 0), ("epsilon.air", "0 2 -3", 1)):
+            dictionaries.write_field(case, name, dimensions, value, {".*": f"type fixedValue; value uniform {value};"})
         gap = 1.01*grain
         middle = 0.0025
         dpm_case.write_parcels(

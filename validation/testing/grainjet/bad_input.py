@@ -99,18 +99,3 @@ def spoil(entries, kinds: Optional[dict] = None) -> List[Bad]:
         for way in ways:
             result.append(Bad(key, way[0], ((key, way[1]),), way[2] if len(way) > 2 else True))
     return result
-
-
-def table_of_page(text: str, heading: str) -> List[str]:
-    """The names in the first column of the Markdown table below a heading, without their backticks; cells
-    with several names give several. A test compares them with its own table, so that an entry of
-    the page without coverage fails."""
-    lines = text.splitlines()
-    at = next(i for i, line in enumerate(lines) if line.lstrip("# ") == heading and line.startswith("#"))
-    names = []
-    for line in lines[at + 1:]:
-        if line.startswith("#"):
-            break
-        if line.startswith("|") and "`" in line.split("|")[1]:
-            names += line.split("|")[1].split("`")[1::2]
-    return names

@@ -7,7 +7,7 @@ target: an immovable ball so large that it is a plane for it.
 import dataclasses
 import math
 
-import grainjet
+from grainjet import dumps, programs, scripts
 
 LARGE = 300.0     # radius of a target over that of the ball
 
@@ -71,20 +71,17 @@ def script(folder, material, ball, impacts, plane, factor, dt, steps, extra):
     gap = 1e-5 * ball.radius
     spacing = 2.5 * (ball.radius + other_radius)
     width = 2.2 * other_radius + 4 * ball.radius
-    rows, speeds = [], []
+    share = 1.0 if plane else 0.5      # free balls share the relative motion
+    grains = []
     for n, impact in enumerate(impacts):
         x = (n + 0.5) * spacing
         reach = ball.radius + other_radius + gap
-        share = 1.0 if plane else 0.5      # free balls share the relative motion
-        rows.append(f"{2 * n + 1} 1 {2 * ball.radius!r} {ball.density} {x!r} 0 0")
-        rows.append(f"{2 * n + 2} 2 {2 * other_radius!r} {ball.density} {x + reach!r} 0 0")
-        speeds.append(f"{2 * n + 1} {share * impact.normal!r} {share * impact.tangential!r} 0 0 0 {impact.spin!r}")
-        other = (0, 0, 0) if plane else (-share * impact.normal, -share * impact.tangential, impact.spin)
-        speeds.append(f"{2 * n + 2} {other[0]!r} {other[1]!r} 0 0 0 {other[2]!r}")
-    (folder / "data").write_text(
-        f"impacts\n\n{len(rows)} atoms\n2 atom types\n0 {len(impacts) * spacing} xlo xhi\n"
-        f"{-width} {width} ylo yhi\n{-width} {width} zlo zhi\n\nAtoms\n\n" + "\n".join(rows)
-        + "\n\nVelocities\n\n" + "\n".join(speeds) + "\n")
+        grains.append((1, 2 * ball.radius, ball.density, (x, 0, 0),
+                       (share * impact.normal, share * impact.tangential, 0), (0, 0, impact.spin)))
+        grains.append((2, 2 * other_radius, ball.density, (x + reach, 0, 0))
+                      + (() if plane else ((-share * impact.normal, -share * impact.tangential, 0), (0, 0, impact.spin))))
+    (folder / "data").write_text(scripts.data(
+        grains, ((0, len(impacts) * spacing), (-width, width), (-width, width)), types=2))
     other = 1e6 * material.youngs if material.rigid else material.youngs
     e, mu = material.restitution, material.friction
     return f"""plugin load hertzcgplugin.so
@@ -106,8 +103,7 @@ fix i all nve/sphere
 {'fix z target freeze' if plane else ''}
 timestep {dt!r}
 {extra}
-dump d all custom {steps} after id vx vy omegaz
-dump_modify d sort id format "%d %.17g %.17g %.17g"
+{scripts.dump(steps, "after", "id vx vy omegaz")}
 run {steps}
 """
 
@@ -121,12 +117,12 @@ def run(folder, material, ball, impacts, plane=False, factor=1, per_contact=2000
     steps = int((3.0 * longest + 2e-5 * ball.radius / slowest) / dt)
     (folder / "in.impacts").write_text(
         script(folder, material, ball, impacts, plane, factor, dt, steps, extra))
-    done = grainjet.run(["liggghts-plugins", "-in", "in.impacts"], folder)
+    done = programs.run(["liggghts-plugins", "-in", "in.impacts"], folder)
     assert done.code == 0, done
-    rows = (folder / "after").read_text().split("\n")[-1 - 2 * len(impacts):-1]
+    after = dumps.last(folder / "after")
     share = 1.0 if plane else 2.0
     results = []
-    for row in rows[::2]:
-        _, vx, vy, wz = map(float, row.split())
-        results.append(Result(-share * vx, share * vy, wz))
+    for n in range(len(impacts)):
+        vx, vy, spin = after[2 * n + 1]
+        results.append(Result(-share * vx, share * vy, spin))
     return results

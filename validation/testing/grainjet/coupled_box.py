@@ -5,8 +5,13 @@ walls or a flow through are asked for; laminar, so that nothing hides what the g
 """
 
 import pathlib
+import random
 
-HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
+from grainjet import dictionaries, dumps, scripts, tables
+from grainjet.case import Case
+
+# columns of a dump that tell how grains move
+MOTION = "id x y z vx vy vz"
 
 # what a new run begins with, and a continued one finds in its restart file
 NEW = """
@@ -82,11 +87,8 @@ def fv_options(folder, text="", **entries):
         "momentum": "implicit",
     }
     values.update(entries)
-    lines = [f"    {k} {v}{'' if str(v).startswith('{') else ';'}"
-             for k, v in values.items() if v is not None]
-    body = "particles\n{\n" + "\n".join(lines) + "\n" + text + "\n}\n"
-    (pathlib.Path(folder) / "constant" / "fvOptions").write_text(
-        HEADER.format("dictionary", "fvOptions") + body)
+    dictionaries.write(pathlib.Path(folder) / "constant/fvOptions",
+                       f"particles\n{{\n{dictionaries.entries(values)}{text}\n}}\n")
 
 
 def write(folder, *, velocity="(0 0 0)", walls=False, delta_t=1e-4, steps=20, write_every=None,
@@ -98,29 +100,16 @@ def write(folder, *, velocity="(0 0 0)", walls=False, delta_t=1e-4, steps=20, wr
     folder = pathlib.Path(folder)
     for part in ("system", "constant", "0"):
         (folder / part).mkdir(parents=True, exist_ok=True)
-
-    def put(path, cls, body):
-        (folder / path).write_text(HEADER.format(cls, path.split("/")[-1]) + body)
-
-    faces = {"xlo": "(0 4 7 3)", "xhi": "(1 2 6 5)", "ylo": "(0 1 5 4)",
-             "yhi": "(3 7 6 2)", "zlo": "(0 3 2 1)", "zhi": "(4 5 6 7)"}
     other = {"lo": "hi", "hi": "lo"}
 
-    def kind(name):
-        if through and name[0] == "z":
+    def kind(side):
+        if through and side[0] == "z":
             return "patch"
-        return "wall" if walls else f"cyclic; neighbourPatch {name[0]}{other[name[1:]]}"
+        return "wall" if walls else f"cyclic; neighbourPatch {side[0]}{other[side[1:]]}"
 
-    patches = "".join(f"{name} {{ type {kind(name)}; faces ({face}); }}\n"
-                      for name, face in faces.items())
-    x, y, z = size
-    put("system/blockMeshDict", "dictionary", f"""
-scale 0.001;
-vertices ((0 0 0) ({x} 0 0) ({x} {y} 0) (0 {y} 0) (0 0 {z}) ({x} 0 {z}) ({x} {y} {z}) (0 {y} {z}));
-blocks (hex (0 1 2 3 4 5 6 7) ({cells}) simpleGrading (1 1 1));
-boundary ({patches});
-""")
-    put("system/controlDict", "dictionary", f"""
+    dictionaries.write(folder / "system/blockMeshDict", dictionaries.block(
+        (0, 0, 0), size, cells, {side: (kind(side), side) for side in dictionaries.SIDES}, scale=0.001))
+    dictionaries.write(folder / "system/controlDict", f"""
 application pimpleFoam;
 libs {libs};
 startFrom latestTime; stopAt endTime; endTime {delta_t * steps!r};
@@ -129,7 +118,7 @@ writeFormat ascii; writePrecision 17; timePrecision 10; runTimeModifiable no;
 {control}
 functions {{ {functions} }}
 """)
-    put("system/fvSchemes", "dictionary", f"""
+    dictionaries.write(folder / "system/fvSchemes", f"""
 ddtSchemes {{ default Euler; }}
 gradSchemes {{ default Gauss linear; }}
 divSchemes {{ default Gauss linear; div(phi,U) Gauss {convection}; }}
@@ -137,7 +126,7 @@ laplacianSchemes {{ default Gauss linear corrected; }}
 interpolationSchemes {{ default linear; }}
 snGradSchemes {{ default corrected; }}
 """)
-    put("system/fvSolution", "dictionary", f"""
+    dictionaries.write(folder / "system/fvSolution", f"""
 solvers
 {{
     "p.*" {{ solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0; }}
@@ -146,56 +135,83 @@ solvers
 PIMPLE {{ {correctors or 'nOuterCorrectors 1; nCorrectors 2;'} nNonOrthogonalCorrectors 0;
           pRefCell 0; pRefValue 0; }}
 """)
-    put("system/decomposeParDict", "dictionary",
-        f"numberOfSubdomains {ranks}; method simple;\n"
+    dictionaries.write(folder / "system/decomposeParDict", f"numberOfSubdomains {ranks}; method simple;\n"
         f"simpleCoeffs {{ n {decomposition}; delta 1e-6; }}\n")
-    put("constant/transportProperties", "dictionary",
-        f"transportModel Newtonian; nu [0 2 -1 0 0 0 0] {nu!r};\n{rho}\n")
-    put("constant/turbulenceProperties", "dictionary", "simulationType laminar;\n")
+    dictionaries.write(folder / "constant/transportProperties", f"transportModel Newtonian; nu [0 2 -1 0 0 0 0] {nu!r};\n{rho}\n")
+    dictionaries.write(folder / "constant/turbulenceProperties", "simulationType laminar;\n")
 
     wall_u = "type noSlip;" if walls else "type cyclic;"
     wall_p = "type zeroGradient;" if walls else "type cyclic;"
     open_u = f"zlo {{ type fixedValue; value uniform {velocity}; }} zhi {{ type zeroGradient; }}"
     open_p = "zlo { type zeroGradient; } zhi { type fixedValue; value uniform 0; }"
-    put("0/U", "volVectorField",
-        f'dimensions [0 1 -1 0 0 0 0]; internalField uniform {velocity};\n'
-        f'boundaryField {{ ".*" {{ {wall_u} }} {open_u if through else ""} }}\n')
-    put("0/p", "volScalarField",
-        'dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;\n'
-        f'boundaryField {{ ".*" {{ {wall_p} }} {open_p if through else ""} }}\n')
+    dictionaries.write_field(folder, "U", "0 1 -1", velocity, f'".*" {{ {wall_u} }} {open_u if through else ""}')
+    dictionaries.write_field(folder, "p", "0 2 -2", 0, f'".*" {{ {wall_p} }} {open_p if through else ""}')
 
 
-def read_internal(path):
-    """Internal field of an ascii field file as a list of floats or of 3-tuples."""
-    text = pathlib.Path(path).read_text()
-    start = text.index("internalField")
-    rest = text[start:text.index("boundaryField", start)]
-    if "nonuniform" not in rest:
-        value = rest.split("uniform", 1)[1].split(";")[0].strip()
-        return [_number(value)]
-    body = rest[rest.index("\n(") + 2:rest.rindex(")")]
-    return [_number(line) for line in body.split("\n") if line.strip()]
+def swarm(n, seed, low=(0, 0, 0), high=(0.02, 0.02, 0.04), mean=(0, 0, 1), rms=0.3):
+    """Positions and velocities of n grains, spread at random."""
+    rng = random.Random(seed)
+    x = [[rng.uniform(a + 1e-3, b - 1e-3) for a, b in zip(low, high)] for _ in range(n)]
+    v = [[rng.gauss(m, rms) for m in mean] for _ in range(n)]
+    return x, v
 
 
-def _number(word):
-    word = word.strip()
-    if word.startswith("("):
-        return tuple(float(c) for c in word.strip("()").split())
-    return float(word)
-
-
-def read_dump(path):
-    """The last snapshot of a LIGGGHTS dump with columns id ...: {id: [values]}."""
-    lines = pathlib.Path(path).read_text().splitlines()
-    at = max(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-    rows = (line.split() for line in lines[at + 1:])
-    return {int(row[0]): [float(c) for c in row[1:]] for row in rows}
+def end_at(folder, steps):
+    """Change the time at which the run ends, to a number of fluid steps of 1e-4 s."""
+    dictionaries.put(pathlib.Path(folder) / "system/controlDict", endTime=f"{steps * 1e-4:.10g}")
 
 
 def read_balance(folder, start="0"):
     """The columns of balance.dat of the run that began at a time: {name: [values]}."""
-    path = pathlib.Path(folder) / f"postProcessing/liggghtsCoupling/{start}/balance.dat"
-    lines = path.read_text().splitlines()
-    names = [line for line in lines if line.startswith("#")][-1].lstrip("# ").split()
-    rows = [[float(c) for c in line.split()] for line in lines if not line.startswith("#")]
-    return {name: [row[k] for row in rows] for k, name in enumerate(names)}
+    table = tables.read(pathlib.Path(folder) / f"postProcessing/liggghtsCoupling/{start}/balance.dat")
+    return {name: values.tolist() for name, values in table.items()}
+
+
+_create = grains      # run_box has a parameter of that name
+
+
+class CoupledCase(Case):
+    """A test that runs the box and compares runs."""
+
+    def run_box(self, ranks=0, steps=20, grains=None, solver="pimpleFoam", options=None,
+                boundary="p p p", processors="", diameter=2e-4, ranks_in_case=2,
+                box_of_grains="0 0.02 0 0.02 0 0.04", density=2500.0, fixes="", into=None,
+                **fluid):
+        """Run the box in a folder of its own; returns the folder with reconstructed fields. options False: the
+        fluid alone."""
+        folder = into or self.new_folder()
+        write(folder, steps=steps, ranks=ranks_in_case, **fluid)
+        if options is not False:
+            x, v = grains or swarm(300, 7)
+            script(folder, grains=_create(x, v, diameter, density), boundary=boundary, fixes=fixes,
+                   box=box_of_grains, processors=processors, end=scripts.dump(10 * steps, "grains.dump", MOTION))
+            fv_options(folder, **(options or {}))
+        self.foam("blockMesh", folder)
+        if ranks:
+            self.foam("decomposePar", folder)
+        self.result = self.foam(solver, folder, ranks)
+        if ranks:
+            self.foam("reconstructPar", folder)
+        return folder
+
+    def compare(self, a, b, time, tolerance):
+        """Fields and grains of two runs agree relative to the largest value."""
+        for field in ("U", "voidFraction", "particleVelocity", "dragCoefficient",
+                      "particleMomentumSource"):
+            first, second = (dictionaries.internal(run / time / field) for run in (a, b))
+            self.assertEqual(len(first), len(second), field)
+            flat = [_flat(first), _flat(second)]
+            scale = max(abs(c) for c in flat[0])
+            worst = max(abs(p - q) for p, q in zip(*flat))
+            self.assertGreater(scale, 0, field)
+            self.assertLessEqual(worst, tolerance * scale, field)
+        one, two = dumps.last(a / "grains.dump"), dumps.last(b / "grains.dump")
+        self.assertEqual(sorted(one), sorted(two))
+        self.assertTrue(one, "no grain is left to compare")
+        for tag in one:
+            for p, q in zip(one[tag], two[tag]):
+                self.assertAlmostEqual(p, q, delta=tolerance, msg=f"grain {tag}")
+
+
+def _flat(values):
+    return [c for v in values for c in (v if isinstance(v, tuple) else (v,))]

@@ -1,7 +1,8 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables that Grainjet writes below `postProcessing/`: columns by name, as numpy arrays."""
+"""Tables: those that Grainjet writes below `postProcessing/`, columns by name as numpy arrays, and those that
+LIGGGHTS prints."""
 
 import pathlib
 import re
@@ -62,3 +63,22 @@ def stated(path):
             for name, value in re.findall(r"([A-Za-z][\w ./]*?) = ([-+\d.eE]+)", line):
                 found[f"{title[1]}: {name.strip()}" if title else name.strip()] = float(value)
     return found
+
+
+def thermo(output):
+    """The rows of numbers that LIGGGHTS printed in its tables of a run, one after the other."""
+    rows, reading = [], False
+    for line in output.splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            reading = True
+        elif line.startswith("Loop time"):
+            reading = False
+        elif reading and words and words[0].isdigit():
+            rows.append([float(word) for word in words])
+    return rows
+
+
+def printed(output):
+    """{name: value} of the lines `name = value` that `print` has left; the last one of a name holds."""
+    return {name: float(value) for name, value in re.findall(r"(?m)^(\w+) = ([-+.\deE]+|-?nan|-?inf)$", output)}

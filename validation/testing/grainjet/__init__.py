@@ -1,0 +1,24 @@
+"""What Grainjet's tests, benchmarks and programs for tables and pictures share, in Python.
+
+    import grainjet                         the basis: Case, run, start, mpirun, ROOT, ENV
+    from grainjet import dictionaries ...   the rest, by what it is about
+
+programs        runs the real programs, with the environment of a user
+case            Case, a test with a fresh folder
+dictionaries    files of an OpenFOAM case: written, changed, read
+scripts         what LIGGGHTS reads: dump commands, data files, surfaces
+dumps           what LIGGGHTS dumps
+tables          tables below postProcessing/ and those in the log of LIGGGHTS
+fields          meshes and clouds of grains, read by VTK
+coupled_box     a small coupled case
+impacts         impacts of single grains
+bad_input       inputs spoilt in every way
+pages           the blocks and tables of the pages in docs/
+
+It holds no tolerances. A file finds the package by PYTHONPATH, which `source environment` and ctest set.
+"""
+
+from grainjet.case import Case
+from grainjet.programs import ENV, ROOT, Run, liggghts_examples, mpirun, run, start
+
+__all__ = ["Case", "ENV", "ROOT", "Run", "liggghts_examples", "mpirun", "run", "start"]
