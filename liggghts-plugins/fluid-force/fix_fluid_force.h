@@ -137,7 +137,7 @@ class FixFluidForce : public Fix {
   // kick before and the half kick to come
   void apply(double kick, bool remove, bool book);
   template<bool UNIFORM, bool NON_REACTING> bool push(double kick, bool remove, bool book);
-  bool turn(double kick, bool remove);
+  template<bool UNIFORM> bool turn(double kick, bool remove);
 
   const double *fluid_velocity(int) const;
   void sum();

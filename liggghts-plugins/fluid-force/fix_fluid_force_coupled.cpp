@@ -30,12 +30,12 @@ void FixFluidForce::refresh_exchange()
   exchange_.fluidForce = fluidForce_->array_atom;
   exchange_.startPosition = startPosition_->array_atom;
   exchange_.owner = owner_->array_atom;
-  if (nonReactingForce_) {
+  if (nonReactingRequested_) {
     exchange_.nonReactingCoefficient = nonReactingCoefficient_->vector_atom;
     exchange_.nonReactingForce = nonReactingForce_->array_atom;
     exchange_.nonReactingImpulse = nonReactingImpulse_->array_atom;
   }
-  if (explicitTorque_) {
+  if (torqueRequested_) {
     exchange_.fluidSpin = fluidSpin_->array_atom;
     exchange_.spinCoefficient = spinCoefficient_->vector_atom;
     exchange_.explicitTorque = explicitTorque_->array_atom;

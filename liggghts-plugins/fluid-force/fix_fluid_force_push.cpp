@@ -19,20 +19,6 @@
 using namespace LAMMPS_NS;
 using grainjet::drag::ExponentialDrag;
 
-/* ---------------------------------------------------------------------- */
-
-void FixFluidForce::apply(double kick, bool remove, bool book)
-{
-  sumStep_ = -1;    // on all ranks alike, also on one without grains
-  if (atom->nlocal == 0) return;
-
-  const bool wrong = uniform_ ? push<true, false>(kick, remove, book)
-    : nonReactingForce_ ? push<false, true>(kick, remove, book)
-    : push<false, false>(kick, remove, book);
-  if (wrong) refuse_force();
-  if (fluidTorque_ && turn(kick, remove)) refuse_torque();
-}
-
 /* ----------------------------------------------------------------------
    Forces. Returns whether one is no number or far too large.
 
@@ -74,10 +60,11 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     const double *fluid = UNIFORM ? uniform_->velocity() : fluids + first;
     const double *nonReacting = NON_REACTING ? nonReactingForce_->array_atom[0] + first : NULL;
 
+    const double volume = UNIFORM ? UniformFlow::volume(atom->radius[i]) : 0.0;
     double given[3], other[3];
     for (int dim = 0; dim < 3; dim++) {
       if (remove) f[dim] -= applied[dim];
-      given[dim] = UNIFORM ? buoyancy[dim] * UniformFlow::volume(atom->radius[i]) : explicits[first + dim];
+      given[dim] = UNIFORM ? buoyancy[dim] * volume : explicits[first + dim];
       other[dim] = f[dim] + (NON_REACTING ? given[dim] + nonReacting[dim] : given[dim]);
     }
     if (UNIFORM)
@@ -103,7 +90,7 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
 
       if (NON_REACTING) {
         wrong |= !(std::fabs(force) <= LARGEST && std::fabs(without) <= LARGEST);
-        if (book) {
+        if (book) {    // of the former step, too, each kind its own: all fluid force is their sum
           impulse[dim] += half * (applied[dim] - nonReactingApplied[dim] + force);
           nonReactingImpulse[dim] += half * (nonReactingApplied[dim] + without);
         }
@@ -123,37 +110,60 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
 }
 
 /* ----------------------------------------------------------------------
-   Torque. Returns whether one is no number or far too large.
+   Torque. Returns whether one is no number or far too large. The fluid of style uniform is at
+   rest as far as spin goes.
 ------------------------------------------------------------------------- */
 
+template<bool UNIFORM>
 bool FixFluidForce::turn(double kick, bool remove)
 {
-  static const double none[3] = {0.0, 0.0, 0.0};
+  const int nlocal = atom->nlocal;
+  const double *omegas = atom->omega[0];
+  double *torques = atom->torque[0], *turned = fluidTorque_->array_atom[0];
+  const double *spins = UNIFORM ? NULL : fluidSpin_->array_atom[0];
+  const double *explicits = UNIFORM ? NULL : explicitTorque_->array_atom[0];
   bool wrong = false;
 
-  for (int i = 0; i < atom->nlocal; i++) {
+  for (int i = 0; i < nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    double *applied = fluidTorque_->array_atom[i];
+    const int first = 3 * i;
+    double *torque = torques + first, *applied = turned + first;
     if (held_.holds(i)) {
       applied[0] = applied[1] = applied[2] = 0.0;
       continue;
     }
-    const double *spin = uniform_ ? none : fluidSpin_->array_atom[i];
-    const double *given = uniform_ ? none : explicitTorque_->array_atom[i];
-    const double coefficient = uniform_ ? uniform_->spinCoefficient(i) : spinCoefficient_->vector_atom[i];
+    const double *omega = omegas + first;
     const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
-    const ExponentialDrag drag(coefficient, kick, inertia);
+    const ExponentialDrag drag(UNIFORM ? uniform_->spinCoefficient(i) : spinCoefficient_->vector_atom[i],
+      kick, inertia);
 
-    double *torque = atom->torque[i];
     for (int dim = 0; dim < 3; dim++) {
       if (remove) torque[dim] -= applied[dim];
-      applied[dim] = given[dim] + drag.slip * (spin[dim] - atom->omega[i][dim])
-        - drag.other * (torque[dim] + given[dim]);
-      wrong |= !(std::fabs(applied[dim]) <= LARGEST);
-      torque[dim] += applied[dim];
+      const double given = UNIFORM ? 0.0 : explicits[first + dim];
+      const double spin = UNIFORM ? 0.0 : spins[first + dim];
+      const double all = UNIFORM ? -drag.slip * omega[dim] - drag.other * torque[dim]
+        : given + drag.slip * (spin - omega[dim]) - drag.other * (torque[dim] + given);
+      if (!UNIFORM) wrong |= !(std::fabs(all) <= LARGEST);    // also if it is no number
+      applied[dim] = all;
+      torque[dim] += all;
     }
   }
   return wrong;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::apply(double kick, bool remove, bool book)
+{
+  sumStep_ = -1;    // on all ranks alike, also on one without grains
+  if (atom->nlocal == 0) return;
+
+  const bool wrong = uniform_ ? push<true, false>(kick, remove, book)
+    : nonReactingForce_ ? push<false, true>(kick, remove, book)
+    : push<false, false>(kick, remove, book);
+  if (wrong) refuse_force();
+  if (!fluidTorque_) return;
+  if (uniform_ ? turn<true>(kick, remove) : turn<false>(kick, remove)) refuse_torque();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -126,7 +126,7 @@ void RemovedGrains::record(int i, FluidForceExchange::Fate fate, const FluidForc
     grain.owner[dim] = state.owner[i][dim];
     const double without = nonReacting ? nonReacting[dim] : 0.0;
     grain.impulse[dim] = state.impulse[i][dim] + halfKick * (state.fluidForce[i][dim] - without);
-    grain.nonReactingImpulse[dim] = nonReacting
+    grain.nonReactingImpulse[dim] = state.nonReactingImpulse
       ? state.nonReactingImpulse[i][dim] + halfKick * without : 0.0;
   }
   grains_.push_back(grain);

@@ -5,12 +5,10 @@ Style coupled is driven by a small plugin that plays the coupling (fix_exchange_
 """
 # processors: 2
 
-import math
 import unittest
 
 import numpy
 
-import grainjet
 from fluid_case import BOX, PROBE, FluidCase
 
 
@@ -67,7 +65,6 @@ class Momentum(FluidCase):
     def test_balance_with_grains_removed(self):
         """Momentum at the end + carried away = at the start + given by the fluid, when grains
         leave through fixed boundaries in mid-interval and through a counting mesh."""
-        mass = math.pi / 6 * 80e-6 ** 3 * 2950
         for ranks in (1, 2, 4):
             result = self.liggghts(self.head(boundary="f f f") + BOX + self.CLOUD + f"""
                 plugin load {PROBE}
@@ -81,11 +78,12 @@ class Momentum(FluidCase):
                 {self.PRINT}
             """, ranks)
             blocks = result.output.split("Loop time")
-            start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
-            end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
+            start = self.values(blocks[1])
+            end = self.values(blocks[2])
             self.assertGreater(end["removed"], 100)
+            self.assertEqual(end["deleted"], 0)
             self.assertEqual(end["atoms"] + end["removed"], start["atoms"])
-            self.assertAlmostEqual(end["lm"] / (end["removed"] * mass), 1, delta=1e-12)
+            self.assertAlmostEqual(end["lm"] / (end["removed"] * self.MASS), 1, delta=1e-12)
             scale = abs(end["ix"])
             for k in "xyz":
                 balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]
@@ -97,12 +95,7 @@ class Momentum(FluidCase):
     def test_balance_with_deleting_mesh(self):
         """The same with a fix massflow/mesh that deletes what crosses it, before or after the
         fluid force in the script."""
-        stl = "solid s\n"
-        for a, b, c in (((0, 0), (0.01, 0), (0.01, 0.01)), ((0, 0), (0.01, 0.01), (0, 0.01))):
-            stl += "facet normal 1 0 0\nouter loop\n"
-            stl += "".join(f"vertex 0.0155 {p[0]} {p[1]}\n" for p in (a, b, c))
-            stl += "endloop\nendfacet\n"
-        (self.folder / "plane.stl").write_text(stl + "endsolid s\n")
+        self.triangles("plane.stl", 0.0155, 0, 0.01)
         counter = """
             fix face all mesh/surface/planar file plane.stl type 1
             fix count all massflow/mesh mesh face count once vec_side -1 0 0 delete_atoms yes
@@ -123,9 +116,10 @@ class Momentum(FluidCase):
                 {self.PRINT}
             """, 2)
             blocks = result.output.split("Loop time")
-            start = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[1]), self.NAMES)))
-            end = dict(zip(self.NAMES, self.vector(grainjet.Run(0, blocks[2]), self.NAMES)))
+            start = self.values(blocks[1])
+            end = self.values(blocks[2])
             self.assertGreater(end["removed"], 10)
+            self.assertEqual(end["deleted"], end["removed"])
             self.assertEqual(end["atoms"] + end["removed"], start["atoms"])
             for k in "xyz":
                 balance = end["p" + k] + end["l" + k] - start["p" + k] - end["i" + k]

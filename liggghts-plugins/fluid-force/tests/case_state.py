@@ -5,7 +5,6 @@ Style coupled is driven by a small plugin that plays the coupling (fix_exchange_
 """
 # processors: 2
 
-import math
 import unittest
 
 import numpy
@@ -63,10 +62,7 @@ class State(FluidCase):
         """Grains from create_atoms, insert/stream and insert/pack: no force and no owner until the
         coupling has seen them, start position = where they were put; and the balance holds."""
         result = self.liggghts(self.head(boundary="f f f") + BOX + f"""
-            fix m1 all property/global youngsModulus peratomtype 5.e6
-            fix m2 all property/global poissonsRatio peratomtype 0.3
-            fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-            fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
+            {self.MATERIAL}
             plugin load {PROBE}
             fix f all fluid/force coupled
             create_atoms 1 single 0.003 0.003 0.003 units box
@@ -99,27 +95,18 @@ class State(FluidCase):
         moved = others[:, 2] - others[:, 3]
         self.assertTrue((moved > 0).all() and (moved <= 20.5e-5).all(), moved)
 
-        end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
-        mass = math.pi / 6 * 80e-6 ** 3 * 2950
+        end = self.values(result.output)
         inserted = end["atoms"] + end["removed"] - 1
-        balance = end["px"] + end["lx"] - inserted * mass * 1 - end["ix"]
+        balance = end["px"] + end["lx"] - inserted * self.MASS * 1 - end["ix"]
         self.assertLess(abs(balance) / end["ix"], 1e-12)
 
     def test_grains_carried_by_insert_stream(self):
         """insert/stream carries its grains at constant velocity to the face and undoes all forces
         until then: no impulse is booked for them, the balance holds from release on."""
-        face = "solid s\n"
-        for a, b, c in (((0, 0), (0.006, 0), (0.006, 0.006)), ((0, 0), (0.006, 0.006), (0, 0.006))):
-            face += "facet normal 1 0 0\nouter loop\n"
-            face += "".join(f"vertex 0.004 {p[0] + 0.002} {p[1] + 0.002}\n" for p in (a, b, c))
-            face += "endloop\nendfacet\n"
-        (self.folder / "face.stl").write_text(face + "endsolid s\n")
+        self.triangles("face.stl", 0.004, 0.002, 0.008)
         for ranks in (1, 2):
             result = self.liggghts(self.head(boundary="f f f") + BOX + f"""
-                fix m1 all property/global youngsModulus peratomtype 5.e6
-                fix m2 all property/global poissonsRatio peratomtype 0.3
-                fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-                fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
+                {self.MATERIAL}
                 plugin load {PROBE}
                 fix f all fluid/force coupled
                 fix pt all particletemplate/sphere 15485863 atom_type 1 density constant 2950 &
@@ -145,10 +132,9 @@ class State(FluidCase):
             self.assertGreater(len(carried), 10)
             self.assertGreater(len(young), len(carried))
             self.assertTrue((carried[:, 6:] == 0).all())
-            end = dict(zip(self.NAMES, self.vector(result, self.NAMES)))
-            mass = math.pi / 6 * 80e-6 ** 3 * 2950
+            end = self.values(result.output)
             self.assertGreater(end["ix"], 0.1 * end["px"])
-            balance = end["px"] + end["lx"] - (end["atoms"] + end["removed"]) * mass * 2 - end["ix"]
+            balance = end["px"] + end["lx"] - (end["atoms"] + end["removed"]) * self.MASS * 2 - end["ix"]
             self.assertLess(abs(balance) / end["ix"], 1e-12)
 
     def test_ranks_without_grains(self):

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -23,14 +24,33 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp, narg, arg), fluid_(NULL), mine_()
+  Fix(lmp, narg, arg), nonReacting_(false), torque_(false),
+  nonReactingCoefficient_(0.0), nonReactingForce_(0.0),
+  spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), fluid_(NULL), mine_()
 {
-  if (narg != 8) error->all(FLERR, "Illegal fix exchange/probe command");
+  if (narg < 8) error->all(FLERR, "Illegal fix exchange/probe command");
   nevery = atoi(arg[3]);
   wind_ = atof(arg[4]);
   shear_ = atof(arg[5]);
   coefficient_ = atof(arg[6]);
   explicit_ = atof(arg[7]);
+  for (int n = 8; n < narg; ) {
+    if (strcmp(arg[n], "nonReacting") == 0 && n + 2 < narg) {
+      nonReacting_ = true;
+      nonReactingCoefficient_ = atof(arg[n + 1]);
+      nonReactingForce_ = atof(arg[n + 2]);
+      n += 3;
+    } else if (strcmp(arg[n], "torque") == 0 && n + 3 < narg) {
+      torque_ = true;
+      spinCoefficient_ = atof(arg[n + 1]);
+      spin_ = atof(arg[n + 2]);
+      explicitTorque_ = atof(arg[n + 3]);
+      n += 4;
+    } else if (strcmp(arg[n], "state") == 0 && n + 2 < narg) {
+      states_.push_back(State{arg[n + 1], atoi(arg[n + 2]), -1});
+      n += 3;
+    } else error->all(FLERR, "Illegal fix exchange/probe command");
+  }
   vector_flag = 1;
   size_vector = SIZE;
   global_freq = 1;
@@ -45,54 +65,123 @@ int FixExchangeProbe::setmask()
 
 /* ---------------------------------------------------------------------- */
 
+FluidForceExchange *FixExchangeProbe::exchange()
+{
+  int dim;
+  return static_cast<FluidForceExchange *>(fluid_->extract("fluid_force_exchange", dim));
+}
+
+/* ----------------------------------------------------------------------
+   the requests: before the first set-up
+------------------------------------------------------------------------- */
+
+void FixExchangeProbe::post_create()
+{
+  fluid_ = modify->find_fix_style("fluid/force", 0);
+  if (!fluid_ || !exchange()) error->all(FLERR, "Fix exchange/probe: no fix fluid/force coupled");
+
+  FluidForceExchange *fluid = exchange();
+  if (fluid->nonReactingForce || fluid->nonReactingCoefficient || fluid->nonReactingImpulse
+    || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque)
+    error->all(FLERR, "Fix exchange/probe: arrays that nobody has requested");
+
+  if (nonReacting_) fluid->useNonReacting(fluid);
+  if (torque_) fluid->useTorque(fluid);
+  for (State &state : states_) {
+    std::vector<double> initial;
+    for (int k = 0; k < state.size; k++) initial.push_back(k + 0.25);
+    state.index = fluid->addState(fluid, state.name.c_str(), state.size, initial.data());
+    if (fluid->addState(fluid, state.name.c_str(), state.size, initial.data()) != state.index)
+      error->all(FLERR, "Fix exchange/probe: two indices of one state");
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixExchangeProbe::init()
 {
   fluid_ = modify->find_fix_style("fluid/force", 0);
-  int dim;
-  if (!fluid_ || !fluid_->extract("fluid_force_exchange", dim))
-    error->all(FLERR, "Fix exchange/probe: no fix fluid/force coupled");
+}
+
+/* ---------------------------------------------------------------------- */
+
+static double distance(const double *p, const double *q)
+{
+  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
+    + (p[2] - q[2]) * (p[2] - q[2]));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixExchangeProbe::take_removed()
+{
+  FluidForceExchange *fluid = exchange();
+  for (int i = 0; i < fluid->nRemoved; i++) {
+    const FluidForceExchange::Removed &grain = fluid->removed[i];
+    mine_[REMOVED] += 1;
+    if (grain.fate == FluidForceExchange::DELETED) mine_[DELETED] += 1;
+    for (int k = 0; k < 3; k++) {
+      mine_[IMPULSE + k] += grain.impulse[k];
+      mine_[NON_REACTING + k] += grain.nonReactingImpulse[k];
+      mine_[MOMENTUM + k] += grain.mass * grain.velocity[k];
+    }
+    mine_[MASS] += grain.mass;
+    mine_[FATE] = std::max(mine_[FATE], distance(grain.position, grain.startPosition));
+  }
+  fluid->clearRemoved(fluid);
+  if (fluid->nRemoved != 0) error->one(FLERR, "Fix exchange/probe: removed grains not cleared");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixExchangeProbe::advance_states()
+{
+  FluidForceExchange *fluid = exchange();
+  for (const State &state : states_) {
+    double *values = fluid->state(fluid, state.index);
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int k = 0; k < state.size; k++) {
+        double &value = values[state.size * i + k];
+        if (fluid->owner[i][OWNER_RANK] < 0 && value != k + 0.25) mine_[WRONG_STATE] += 1;
+        value += (k + 1) * atom->v[i][0];
+      }
+  }
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixExchangeProbe::end_of_step()
 {
-  int dim;
-  auto *exchange = static_cast<FluidForceExchange *>(fluid_->extract("fluid_force_exchange", dim));
+  take_removed();
+  advance_states();
 
-  const auto distance = [](const double *p, const double *q) {
-    return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
-      + (p[2] - q[2]) * (p[2] - q[2]));
-  };
-
-  for (int i = 0; i < exchange->nRemoved; i++) {
-    const FluidForceExchange::Removed &grain = exchange->removed[i];
-    mine_[3] += 1;
-    for (int k = 0; k < 3; k++) {
-      mine_[k] += grain.impulse[k];
-      mine_[4 + k] += grain.mass * grain.velocity[k];
-    }
-    mine_[7] += grain.mass;
-    mine_[10] = std::max(mine_[10], distance(grain.position, grain.startPosition));
-  }
-  exchange->clearRemoved(exchange);
-  if (exchange->nRemoved != 0) error->one(FLERR, "Fix exchange/probe: removed grains not cleared");
-
-  mine_[8] = mine_[9] = 0;
+  FluidForceExchange *fluid = exchange();
+  mine_[NEW] = mine_[FAR] = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (exchange->owner[i][0] < 0) mine_[8] += 1;
-    mine_[9] = std::max(mine_[9], distance(atom->x[i], exchange->startPosition[i]));
+    if (fluid->owner[i][OWNER_RANK] < 0) mine_[NEW] += 1;
+    mine_[FAR] = std::max(mine_[FAR], distance(atom->x[i], fluid->startPosition[i]));
     for (int k = 0; k < 3; k++) {
-      mine_[k] += exchange->impulse[i][k];
-      exchange->impulse[i][k] = 0;
-      exchange->startPosition[i][k] = atom->x[i][k];
-      exchange->fluidVelocity[i][k] = k == 0 ? wind_ + shear_ * atom->x[i][1] : 0;
-      exchange->explicitForce[i][k] = k == 0 ? explicit_ : 0;
+      mine_[IMPULSE + k] += fluid->impulse[i][k];
+      fluid->impulse[i][k] = 0;
+      fluid->startPosition[i][k] = atom->x[i][k];
+      fluid->fluidVelocity[i][k] = k == 0 ? wind_ + shear_ * atom->x[i][1] : 0;
+      fluid->explicitForce[i][k] = k == 0 ? explicit_ : 0;
+      if (nonReacting_) {
+        mine_[NON_REACTING + k] += fluid->nonReactingImpulse[i][k];
+        fluid->nonReactingImpulse[i][k] = 0;
+        fluid->nonReactingForce[i][k] = k == 2 ? nonReactingForce_ : 0;
+      }
+      if (torque_) {
+        fluid->fluidSpin[i][k] = k == 2 ? spin_ : 0;
+        fluid->explicitTorque[i][k] = k == 2 ? explicitTorque_ : 0;
+      }
     }
-    exchange->dragCoefficient[i] = coefficient_;
-    exchange->owner[i][OWNER_RANK] = comm->me;
-    exchange->owner[i][OWNER_NUMBER] = i;
-    exchange->owner[i][OWNER_PRESENT] = 1;
+    fluid->dragCoefficient[i] = coefficient_;
+    if (nonReacting_) fluid->nonReactingCoefficient[i] = nonReactingCoefficient_;
+    if (torque_) fluid->spinCoefficient[i] = spinCoefficient_;
+    fluid->owner[i][OWNER_RANK] = comm->me;
+    fluid->owner[i][OWNER_NUMBER] = i;
+    fluid->owner[i][OWNER_PRESENT] = 1;
   }
 }
 

@@ -9,36 +9,59 @@
 
 #include "fix.h"
 
+#include <string>
+#include <vector>
+
 namespace LAMMPS_NS {
 
 /* Plays the coupling for the tests of fix fluid/force coupled:
 
-     fix ID all exchange/probe N ux shear b fx
+     fix ID all exchange/probe N ux shear b fx [nonReacting c fz] [torque C spin T]
+       [state name size] ...
 
-   Every N steps it takes the impulses through the exchange header, and then writes the
-   fluid velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force
-   (fx, 0, 0). Global vector:
-     1-3 impulse taken since the start, of present and removed grains
-     4   removed grains      5-7 their momentum      8 their mass
-     9   grains without owner at the last exchange (new ones)
-    10   largest distance from the start position at the last exchange
-    11   largest distance between end and start position of a removed grain            */
+   Every N steps it takes the impulses through the exchange header, and then writes the fluid
+   velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force (fx, 0, 0).
+     nonReacting  requests forces without reaction: coefficient c, force (0, 0, fz)
+     torque       requests torque: coefficient C, spin of the fluid (0, 0, spin), torque (0, 0, T)
+     state        adds a state of `size` numbers, which begin with 0.25, 1.25, ...; every
+                  exchange adds vx to the first, 2 vx to the second, ...
+   Global vector:
+     1-3   impulse with reaction taken since the start, of present and removed grains
+     4     removed grains      5-7 their momentum      8 their mass
+     9     grains without owner at the last exchange (new ones)
+     10-12 impulse without reaction, as 1-3
+     13    removed grains that were deleted by a fix massflow/mesh
+     14    new grains whose state was not the initial one, since the start
+     15    largest distance from the start position at the last exchange
+     16    largest distance between end and start position of a removed grain            */
 class FixExchangeProbe : public Fix {
  public:
 
   FixExchangeProbe(class LAMMPS *, int, char **);
   int setmask();
+  void post_create();
   void init();
   void end_of_step();
   double compute_vector(int);
 
  private:
 
-  static const int SUMS = 9, SIZE = 11;
+  enum { IMPULSE, REMOVED = 3, MOMENTUM, MASS = 7, NEW, NON_REACTING, DELETED = 12, WRONG_STATE,
+         SUMS, FAR = SUMS, FATE, SIZE };
+
+  struct State { std::string name; int size, index; };
 
   double wind_, shear_, coefficient_, explicit_;
+  bool nonReacting_, torque_;
+  double nonReactingCoefficient_, nonReactingForce_;
+  double spinCoefficient_, spin_, explicitTorque_;
+  std::vector<State> states_;
   class Fix *fluid_;
   double mine_[SIZE];
+
+  struct FluidForceExchange *exchange();
+  void take_removed();
+  void advance_states();
 };
 
 }

@@ -1,5 +1,9 @@
 """A cloud of grains in a box, and what the tests of fix fluid/force on several ranks share."""
 
+import math
+
+import numpy
+
 import grainjet
 from grainjet import dumps, tables
 
@@ -24,6 +28,13 @@ BOX = """
     timestep 1e-5
 """
 
+READ = """
+    read_restart {name}
+    neighbor 0.0005 bin
+    neigh_modify delay 0
+    timestep 1e-5
+"""
+
 
 class FluidCase(grainjet.Case):
 
@@ -35,9 +46,33 @@ class FluidCase(grainjet.Case):
         found = tables.printed(result.output)
         return [found[name] for name in names]
 
+    def values(self, output):
+        """The values that PRINT has printed, by name; of the last time if it did more than once."""
+        return dict(zip(self.NAMES, self.vector(grainjet.Run(0, output), self.NAMES)))
+
+    def triangles(self, name, x, low, high):
+        """An STL file of a square normal to x, from `low` to `high` in y and z."""
+        a, b, c, d = (low, low), (high, low), (high, high), (low, high)
+        text = "solid s\n"
+        for corners in ((a, b, c), (a, c, d)):
+            text += "facet normal 1 0 0\nouter loop\n"
+            text += "".join(f"vertex {x} {p[0]} {p[1]}\n" for p in corners)
+            text += "endloop\nendfacet\n"
+        (self.folder / name).write_text(text + "endsolid s\n")
+
     def dump(self, name):
         """Columns of a dump file's last frame, by atom ID."""
         return dumps.array(self.folder / name)
+
+    DIAMETER, DENSITY, GRAINS = 80e-6, 2950.0, 2000
+    MASS = math.pi / 6 * DIAMETER ** 3 * DENSITY
+
+    MATERIAL = """
+        fix m1 all property/global youngsModulus peratomtype 5.e6
+        fix m2 all property/global poissonsRatio peratomtype 0.3
+        fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+        fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
+    """
 
     # 2000 grains at set places, each with a velocity of its own, moving through all ranks
     CLOUD = """
@@ -61,9 +96,9 @@ class FluidCase(grainjet.Case):
 
     PRINT = "\n".join(f'print "{name} = ${{{name}}}"' for name in
                       ("px", "py", "pz", "ix", "iy", "iz", "removed", "lx", "ly", "lz", "lm",
-                       "fresh", "far", "fate", "atoms"))
-    NAMES = ["px", "py", "pz", "ix", "iy", "iz", "removed", "lx", "ly", "lz", "lm", "fresh", "far",
-             "fate", "atoms"]
+                       "fresh", "nx", "ny", "nz", "deleted", "wrong", "far", "fate", "atoms"))
+    NAMES = ["px", "py", "pz", "ix", "iy", "iz", "removed", "lx", "ly", "lz", "lm", "fresh",
+             "nx", "ny", "nz", "deleted", "wrong", "far", "fate", "atoms"]
     VARIABLES = """
         variable mvx atom mass*vx
         variable mvy atom mass*vy
@@ -81,8 +116,13 @@ class FluidCase(grainjet.Case):
         variable lz equal f_d[7]
         variable lm equal f_d[8]
         variable fresh equal f_d[9]
-        variable far equal f_d[10]
-        variable fate equal f_d[11]
+        variable nx equal f_d[10]
+        variable ny equal f_d[11]
+        variable nz equal f_d[12]
+        variable deleted equal f_d[13]
+        variable wrong equal f_d[14]
+        variable far equal f_d[15]
+        variable fate equal f_d[16]
         variable atoms equal atoms
         thermo_style custom step atoms c_p[1] c_p[2] c_p[3] f_d[1] f_d[9]
         thermo_modify lost ignore format float %.17g
