@@ -5,7 +5,7 @@ import subprocess
 import unittest
 
 import grainjet
-import host_library
+from grainjet import host_library
 from loadercase import PLUGINS, LoaderCase
 
 STATE = """

@@ -3,12 +3,10 @@
 
 import pathlib
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box
 
 
 class Counters(grainjet.Case):

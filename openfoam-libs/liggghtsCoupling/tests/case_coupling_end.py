@@ -2,21 +2,17 @@
 and what fixes have found is on disk with each restart file."""
 # processors: 2
 
-import contextlib
 import csv
 import os
-import pathlib
 import re
 import shutil
 import signal
-import subprocess
-import sys
 import time
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import dumps
+from grainjet import coupled_box as box
 
 # Nothing is due within a run: no table (every), no events (gathered each 1000 DEM steps)
 PLATE = """
@@ -94,39 +90,20 @@ class End(grainjet.Case):
                 self.assertLess(last, 0.0045)
                 self.assertEnded(folder, output, last)
 
-    @contextlib.contextmanager
     def running(self, folder, ranks=0):
-        """A run without a foreseen end, and its log; ended here if nothing else has done it."""
+        """A run without a foreseen end, to be used in `with`."""
         parallel = ["-parallel"] if ranks else []
-        with open(folder / "log", "w") as log:
-            process = subprocess.Popen([*grainjet.mpirun(ranks), "pimpleFoam", *parallel], cwd=folder, stdout=log,
-                                       stderr=subprocess.STDOUT, env={**grainjet.ENV, "PWD": str(folder)}, start_new_session=True)
-            try:
-                yield process
-            finally:
-                if process.poll() is None:
-                    os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
-
-    def until(self, process, condition):
-        """Wait for a running process to have done something."""
-        end = time.monotonic() + 60
-        while not condition():
-            self.assertIsNone(process.poll(), "the run has ended before")
-            self.assertLess(time.monotonic(), end, "not within a minute")
-            time.sleep(0.01)
-
-    def until_step(self, process, folder, value):
-        self.until(process, lambda: f"\nTime = {value}\n" in (folder / "log").read_text())
+        return grainjet.start([*grainjet.mpirun(ranks), "pimpleFoam", *parallel], folder, folder / "log",
+                              env={"PWD": str(folder)})
 
     def test_signal_that_asks_to_stop(self):
         """OpenFOAM's stopAtWriteNowSignal: the run writes and ends."""
         folder = self.case("signal", steps=1000000,
                            control=f"OptimisationSwitches {{ stopAtWriteNowSignal {int(signal.SIGUSR2)}; }}")
         with self.running(folder) as process:
-            self.until_step(process, folder, 0.005)
-            process.send_signal(signal.SIGUSR2)
-            code = process.wait(60)
+            process.wait_for_words("\nTime = 0.005\n")
+            process.process.send_signal(signal.SIGUSR2)
+            code = process.process.wait(60)
         output = (folder / "log").read_text()
         self.assertEqual(code, 0, output[-2000:])
         last = float(re.findall(r"\nTime = (\S+)", output)[-1])
@@ -137,12 +114,12 @@ class End(grainjet.Case):
         """Exit code and output of a run that controlDict stops by noWriteNow in its course."""
         control = folder / "system/controlDict"
         with self.running(folder, ranks) as process:
-            self.until_step(process, folder, 0.005)
+            process.wait_for_words("\nTime = 0.005\n")
             before()
             control.write_text(control.read_text().replace("stopAt endTime", "stopAt noWriteNow"))
             # OpenFOAM takes a file for changed if it is newer by more than ten seconds
             os.utime(control, (time.time() + 60, time.time() + 60))
-            code = process.wait(60)
+            code = process.process.wait(60)
         return code, (folder / "log").read_text()
 
     def test_stop_without_writing(self):
@@ -191,7 +168,7 @@ class End(grainjet.Case):
             folder = self.case(f"killed{ranks}", write_every=20, steps=1000000, end="thermo 200")
             first = folder / ("processor0" if ranks else ".") / "0.002/uniform/liggghts.restart"
             with self.running(folder, ranks) as process:
-                self.until(process, first.exists)
+                process.wait_for(first.exists, str(first))
             written = float(self.rows(folder)[0]["time"])
             self.assertGreaterEqual(written, 0.002 * (1 - 1e-9))
             self.assertAlmostEqual(written / 0.002, round(written / 0.002), delta=1e-6)
@@ -208,7 +185,7 @@ class End(grainjet.Case):
             for name, every in (("without", 100000), ("with", 5)):
                 folder = self.case(f"{name}{ranks}", fixes=dump, write_every=every)
                 self.solver(folder, ranks)
-                grains = box.read_dump(folder / "grains.330.txt")
+                grains = dumps.last(folder / "grains.330.txt")
                 self.assertEqual(len(grains), 4)
                 results.append((grains, (folder / "plate.csv").read_text()))
             self.assertEqual(*results)

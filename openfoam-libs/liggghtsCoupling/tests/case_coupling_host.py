@@ -1,16 +1,13 @@
 """LIGGGHTS of another build, and libraries that come before the coupling: errors with words, exit code 1."""
 # processors: 2
 
-import pathlib
 import re
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
 import grainjet
-import host_library
+from grainjet import host_library
 
 TESTS = grainjet.ROOT / "lib/tests"
 COUPLING = grainjet.ROOT / "lib/libliggghtsCoupling.so"

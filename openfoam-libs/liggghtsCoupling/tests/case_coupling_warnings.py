@@ -1,15 +1,12 @@
 """Warnings of LIGGGHTS in the solver's log: each once, with its count at the end, from any rank."""
 # processors: 2
 
-import pathlib
 import re
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box
 
 PLUGIN = f"plugin load {grainjet.ROOT}/lib/tests/warningplugin.so"
 
