@@ -22,8 +22,8 @@ using grainjet::drag::ExponentialDrag;
 /* ----------------------------------------------------------------------
    Forces. Returns whether one is no number or far too large.
 
-   The drag of both kinds together is integrated as one, and shared out by their coefficients.
-   A force of one kind is booked to the last digit if there is none of the other kind.
+   The drag of both kinds is integrated as one, since each would change the velocity that the
+   other sees. With forces of one kind only, nothing at all is booked for the other.
 ------------------------------------------------------------------------- */
 
 template<bool UNIFORM, bool NON_REACTING>
@@ -71,39 +71,37 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
       coefficient[i] =
         uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0);
 
-    double b = coefficient[i], share = 0.0;
-    if (NON_REACTING) {
-      b += nonReactingCoefficient[i];
-      if (b > 0.0) share = nonReactingCoefficient[i] / b;
-    }
-    const ExponentialDrag drag(b, kick, atom->rmass[i]);
-
-    for (int dim = 0; dim < 3; dim++) {
-      double slip = drag.slip * (fluid[dim] - v[dim]), taken = drag.other * other[dim];
-      double force, without = 0.0;
-      if (NON_REACTING) {
-        without = nonReacting[dim] + share * slip - share * taken;
-        slip *= 1.0 - share;
-        taken *= 1.0 - share;
-      }
-      force = given[dim] + slip - taken;
-
-      if (NON_REACTING) {
-        wrong |= !(std::fabs(force) <= LARGEST && std::fabs(without) <= LARGEST);
-        if (book) {    // of the former step, too, each kind its own: all fluid force is their sum
-          impulse[dim] += half * (applied[dim] - nonReactingApplied[dim] + force);
-          nonReactingImpulse[dim] += half * (nonReactingApplied[dim] + without);
-        }
-        nonReactingApplied[dim] = without;
-        force += without;
-        applied[dim] = force;
-        f[dim] += force;
-      } else {
+    if (!NON_REACTING) {
+      const ExponentialDrag drag(coefficient[i], kick, atom->rmass[i]);
+      for (int dim = 0; dim < 3; dim++) {
+        const double force =
+          given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
         f[dim] += force;
         wrong |= !(std::fabs(force) <= LARGEST);    // also if it is no number
         if (book) impulse[dim] += half * (applied[dim] + force);
         applied[dim] = force;
       }
+      continue;
+    }
+
+    // One drag, shared out by the coefficients
+    const double c = nonReactingCoefficient[i], b = coefficient[i] + c;
+    const ExponentialDrag drag(b, kick, atom->rmass[i]);
+    const double share = c > 0.0 ? c / b : 0.0;
+    const double slip = (1.0 - share) * drag.slip, taken = (1.0 - share) * drag.other;
+    const double slipWithout = share * drag.slip, takenWithout = share * drag.other;
+    for (int dim = 0; dim < 3; dim++) {
+      const double speed = fluid[dim] - v[dim];
+      const double force = given[dim] + slip * speed - taken * other[dim];
+      const double without = nonReacting[dim] + slipWithout * speed - takenWithout * other[dim];
+      wrong |= !(std::fabs(force) + std::fabs(without) <= LARGEST);
+      if (book) {    // the forces of the former step, too, each kind its own
+        impulse[dim] += half * (applied[dim] - nonReactingApplied[dim] + force);
+        nonReactingImpulse[dim] += half * (nonReactingApplied[dim] + without);
+      }
+      nonReactingApplied[dim] = without;
+      applied[dim] = force + without;
+      f[dim] += force + without;
     }
   }
   return wrong;

@@ -40,7 +40,7 @@ static bool good(const double *vector, double largest)
 }
 
 /* ----------------------------------------------------------------------
-   Forces with and without reaction may be absurd and still have a small sum.
+   Forces with and without reaction may be absurd and still have a small sum: as in push().
 ------------------------------------------------------------------------- */
 
 void FixFluidForce::refuse_force()
@@ -49,7 +49,10 @@ void FixFluidForce::refuse_force()
     if (!(atom->mask[i] & groupbit)) continue;
     const double *force = fluidForce_->array_atom[i], *v = atom->v[i];
     const double *without = nonReactingApplied_ ? nonReactingApplied_->array_atom[i] : NULL;
-    if (good(force, LARGEST) && (!without || good(without, LARGEST))) continue;
+    double size[3];
+    for (int dim = 0; dim < 3; dim++)
+      size[dim] = without ? std::fabs(force[dim] - without[dim]) + std::fabs(without[dim]) : force[dim];
+    if (good(size, LARGEST)) continue;
 
     const double *fluid = fluid_velocity(i);
     char part[128] = "";

@@ -6,6 +6,7 @@ vx, 2 vx ... at every exchange, so a number that came to another grain shows.
 # processors: 2
 
 import math
+import struct
 import unittest
 
 import numpy
@@ -163,6 +164,23 @@ class BadRequests(FluidCase):
             write_restart m.restart
         """)
         self.refused("state m 3", "Fix fluid/force (ID f)", "'m' has 2 numbers", "restart file", read="m.restart", ranks=2)
+
+    def test_restart_file_of_another_layout(self):
+        """The layout is the first number of the fix in the file."""
+        self.liggghts(self.head() + BOX + self.CLOUD + f"""
+            {probe(50)}
+            fix i all nve/sphere
+            run 1
+            write_restart m.restart
+        """)
+        path = self.folder / "m.restart"
+        content = path.read_bytes()
+        mark = b"fluid/force\0"
+        place = content.index(mark) + len(mark) + 4    # the length is between the two
+        self.assertEqual(struct.unpack("d", content[place:place + 8]), (2.0,))
+        path.write_bytes(content[:place] + struct.pack("d", 1.0) + content[place + 8:])
+        for ranks in (0, 2):
+            self.refused(STATES, "Fix fluid/force", "another version of Grainjet", read="m.restart", ranks=ranks)
 
     def test_unfix_and_again(self):
         """Everything requested goes with the fix and may be requested anew."""
