@@ -130,7 +130,7 @@ class OutputFiles(PlateCase):
         note = "fix note all print 10 \"step\" file {} screen no"
         turn = 0
         for path in ("plate.csv", "events.csv", "plate.csv.new"):
-            for other, words in ((dump, "dump d"), (note, ""), ("log {}", "in use by this run")):
+            for other, words in ((dump, "dump d"), (note, "in use by this run"), ("log {}", "in use by this run")):
                 turn += 1
                 order = ("{0}\n{1}", "{1}\n{0}")[turn % 2]
                 for name in ("plate.csv", "events.csv", "plate.csv.new"):
