@@ -100,7 +100,8 @@ void Foam::couplingLog::writeTableHeader()
             "inserted", "present", "leftBox", "deleted", "unaccounted", "outsideMesh",
             "contacts", "maxSolidFraction", "volumeCut", "meanSlip",
             "percentRayleigh", "toGrains_x", "toGrains_y", "toGrains_z",
-            "nonReacting_x", "nonReacting_y", "nonReacting_z", "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
+            "nonReacting_x", "nonReacting_y", "nonReacting_z",
+            "toFluid_x", "toFluid_y", "toFluid_z", "owed_x", "owed_y", "owed_z",
             "imbalance", "secondsFluid", "secondsDEM", "secondsCoupling",
             "remote", "bytes", "searches"
         }

@@ -141,8 +141,7 @@ void Foam::couplingPipeline::advance()
         const noFloatTraps asInTheStockProgram;
         session_.advance(interval_);
     }
-    // What the other ranks wait for the slowest is time of DEM, not of the coupling
-    returnReduce(label(0), maxOp<label>());
+    // It ends with a reduction, so that waiting for the slowest rank is time of DEM
     step.demSeconds = clock.elapsedTime() - before;
 
     step.received = momentum_.receive(*grains_, forces_, records_, averages_);
