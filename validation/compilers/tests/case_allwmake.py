@@ -1,0 +1,171 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What ./Allwmake makes of its argument, of CXX and of the OpenFOAM that is sourced, and a build without tests.
+
+Allwmake itself runs, in a copy; the programs that it calls are replaced by ones that write down how they are called.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import grainjet
+
+# what the programs do besides writing down their call; `id` makes a superuser of everybody
+PROGRAMS = {
+    "cmake": "", "wmake": '[ "$1" != -show-cxx ] || echo g++ -std=c++11', "wmakeLnInclude": "", "apt-get": "",
+    "dpkg-query": 'case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac', "id": "echo 0",
+    "g++": 'case "$*" in *-dM*) echo "#define __GNUC__ 12" ;; *) echo "g++ $VERSION" ;; esac',
+    "clang++": 'case "$*" in *-dM*) echo "#define __GNUC__ 4"; echo "#define __clang__ 1" ;; *) echo "clang $VERSION" ;; esac',
+    "othercompiler": "",
+}
+SILENT = ("dpkg-query", "id", "g++", "clang++", "othercompiler")    # only asked for something
+LIBRARIES = ("jetTurbulenceModels", "particleSamplingPlanes", "liggghtsCoupling")
+OF_TESTS = ("libgtest-dev", "python3", "python3-numpy", "python3-scipy", "python3-matplotlib", "python3-vtk9")
+
+
+class Allwmake(grainjet.Case):
+
+    def setUp(self):
+        super().setUp()
+        self.copy = self.folder / "grainjet"
+        products = shutil.ignore_patterns("lnInclude", "linux*", "tests", "*.[CH]")
+        shutil.copytree(grainjet.ROOT / "openfoam-libs", self.copy / "openfoam-libs", ignore=products)
+        (self.copy / "liggghts-plugins").mkdir()
+        shutil.copytree(grainjet.ROOT / "liggghts-plugins/loader", self.copy / "liggghts-plugins/loader", ignore=products)
+        shutil.copy(grainjet.ROOT / "Allwmake", self.copy)
+
+        self.calls = self.folder / "calls"
+        programs = self.folder / "programs"
+        programs.mkdir()
+        for name, action in PROGRAMS.items():
+            note = "" if name in SILENT else f'echo "$(basename "$PWD"): {name} $*" >> {self.calls}\n'
+            (programs / name).write_text(f"#!/bin/bash\n{note}{action}\n")
+            (programs / name).chmod(0o755)
+
+        # an OpenFOAM as a user sources it
+        foam = self.folder / "openfoam"
+        (foam / "META-INFO").mkdir(parents=True)
+        (foam / "META-INFO/api-info").write_text("api=1912\n")
+        (foam / "wmake").mkdir()
+        shutil.copy(programs / "wmake", foam / "wmake/wmake")
+        self.env = {"PATH": f"{programs}:{grainjet.ENV['PATH']}", "WM_PROJECT_DIR": foam, "WM_PROJECT_VERSION": "v1912",
+                    "WM_COMPILER": "Gcc", "WM_OPTIONS": "linux64", "WM_PRECISION_OPTION": "DP",
+                    "CXX": "", "FOAM_USER_LIBBIN": "", "ABSENT": "", "VERSION": "1"}
+
+    def allwmake(self, *arguments, **variables):
+        """Its result, and the calls of the programs."""
+        self.calls.write_text("")
+        result = grainjet.run([self.copy / "Allwmake", *arguments], self.copy, env={**self.env, **variables})
+        return result, self.calls.read_text().splitlines()
+
+    def assertRefused(self, words, *arguments, **variables):
+        """One message with these words, and nothing is installed, configured or compiled before."""
+        result, calls = self.allwmake(*arguments, **variables)
+        self.assertFails(result, *words)
+        self.assertEqual(result.output.count("Allwmake: "), 1, result)
+        self.assertEqual([call for call in calls if "-show-cxx" not in call], [])
+
+    def one(self, calls, program):
+        found = [call for call in calls if f": {program} " in call]
+        self.assertEqual(len(found), 1, calls)
+        return found[0]
+
+    def test_all_of_it(self):
+        result, calls = self.allwmake()
+        self.assertEqual(result.code, 0, result)
+        self.assertIn(" -DGRAINJET_TESTS=ON ", self.one(calls, "cmake -S"))
+        for library in LIBRARIES:
+            self.assertIn(f"{library}: wmake -s libso", calls)
+
+    def test_without_tests(self):
+        """No package for tests is asked for, the plugins' tests are off, all products are built."""
+        absent = " ".join(["", *OF_TESTS, ""])
+        result, calls = self.allwmake("-no-tests", ABSENT=absent)
+        self.assertEqual(result.code, 0, result)
+        self.assertIn(" -DGRAINJET_TESTS=OFF ", self.one(calls, "cmake -S"))
+        self.one(calls, "cmake --build")
+        for library in LIBRARIES:
+            self.assertIn(f"{library}: wmake -s libso", calls)
+        self.assertEqual([call for call in calls if "apt-get" in call], [])
+
+        # the same with tests: these packages and no others
+        _, calls = self.allwmake(ABSENT=absent)
+        self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
+
+    def test_unknown_arguments(self):
+        for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):
+            with self.subTest(arguments):
+                self.assertRefused(["unknown argument: " + " ".join(arguments), "./Allwmake [-no-tests]"], *arguments)
+
+    def test_compiler(self):
+        """The compiler of CXX, else the one of OpenFOAM, for the plugins as well."""
+        for variables, compiler in (({}, "g++"), ({"CXX": "g++"}, "g++"), ({"CXX": "clang++", "WM_COMPILER": "Clang"}, "clang++")):
+            with self.subTest(variables):
+                result, calls = self.allwmake(**variables)
+                self.assertEqual(result.code, 0, result)
+                self.assertIn(f"/programs/{compiler} ", self.one(calls, "cmake -S"))
+
+    def test_compilers_that_are_refused(self):
+        self.assertRefused(["'nocompiler' is not there", "clang"], CXX="nocompiler")
+        self.assertRefused(["'othercompiler'", "neither g++ nor clang++"], CXX="othercompiler")
+        self.assertRefused(["'clang++'", "set up for Gcc", "WM_COMPILER=Clang"], CXX="clang++")
+        self.assertRefused(["'g++'", "set up for Clang", "WM_COMPILER=Gcc"], CXX="g++", WM_COMPILER="Clang")
+
+    def test_precision_that_is_refused(self):
+        for precision in ("SP", "SPDP"):
+            self.assertRefused([f"precision {precision}", "WM_PRECISION_OPTION=DP"], WM_PRECISION_OPTION=precision)
+
+    def test_objects_of_another_compiler_are_dropped(self):
+        self.allwmake()
+        products = [self.copy / "build/CMakeCache.txt",
+                    *(self.copy / "openfoam-libs" / library / "Make/linux64/a.o" for library in LIBRARIES)]
+
+        def kept(**variables):
+            """Which products are still there after a run with these variables."""
+            for path in products:
+                path.parent.mkdir(exist_ok=True)
+                path.write_text("")
+            result, _ = self.allwmake(**variables)
+            self.assertEqual(result.code, 0, result)
+            return [path.exists() for path in products]
+
+        self.assertEqual(kept(), [True]*4)
+        self.assertEqual(kept(VERSION="2"), [False]*4)
+        self.assertEqual(kept(VERSION="2"), [True]*4)
+        self.assertEqual(kept(VERSION="2", CXX="clang++", WM_COMPILER="Clang"), [False]*4)
+
+
+class Plugins(unittest.TestCase):
+
+    def configure(self, folder, tests):
+        """CMake itself, where neither GoogleTest nor Python can be found."""
+        return grainjet.run(["cmake", "-S", grainjet.ROOT, "-B", folder, f"-DGRAINJET_TESTS={tests}",
+                             "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=TRUE", "-DCMAKE_DISABLE_FIND_PACKAGE_Python3=TRUE"], folder)
+
+    def test_without_tests(self):
+        with tempfile.TemporaryDirectory(prefix="grainjet-") as folder:
+            folder = pathlib.Path(folder)
+            result = self.configure(folder, "OFF")
+            self.assertEqual(result.code, 0, result)
+            targets = subprocess.run(["cmake", "--build", folder, "--target", "help"], check=True,
+                                     stdout=subprocess.PIPE, text=True).stdout
+            for plugin in ("liggghtsloader", "hertzcgplugin", "platestatsplugin", "fluidforceplugin"):
+                self.assertIn(plugin, targets)
+            self.assertNotIn("exampleplugin", targets)
+            self.assertNotIn("test_", targets)
+            listed = grainjet.run(["ctest", "-N"], folder)
+            self.assertNotIn("Test  #", listed.output)
+
+    def test_with_tests_googletest_is_needed(self):
+        with tempfile.TemporaryDirectory(prefix="grainjet-") as folder:
+            result = self.configure(pathlib.Path(folder), "ON")
+            self.assertNotEqual(result.code, 0, result)
+            self.assertIn("GTest", result.output)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+# label: long
+"""The OpenFOAM libraries compile with 64-bit labels without a warning, and refuse single precision in words."""
+
+import unittest
+
+import grainjet
+
+CHECK = grainjet.ROOT / "validation/compilers/compile_check.py"
+LIBRARIES = 3
+
+
+class Labels(grainjet.Case):
+
+    def test_64_bits(self):
+        result = grainjet.run([CHECK, "openfoam", "--label", "64"], self.folder)
+        self.assertEqual(result.code, 0, result)
+
+    def test_single_precision(self):
+        """One error in each library, which says what is needed."""
+        for precision in ("SP", "SPDP"):
+            with self.subTest(precision):
+                result = grainjet.run([CHECK, "openfoam", "--precision", precision, "--first"], self.folder)
+                self.assertEqual(result.code, 1, result)
+                errors = [line for line in result.output.splitlines() if "error: " in line]
+                self.assertEqual(len(errors), LIBRARIES, result)
+                for line in errors:
+                    self.assertIn("Grainjet needs an OpenFOAM in double precision", line)
+
+
+if __name__ == "__main__":
+    unittest.main()
