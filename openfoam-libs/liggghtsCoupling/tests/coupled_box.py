@@ -8,6 +8,9 @@ import pathlib
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
+# what a solver prints after the momentum equation: an error that comes before has cost no time
+SOLVED = "Solving for (U|p,|p_rgh,)"
+
 # what a new run begins with, and a continued one finds in its restart file
 NEW = """
 region box block {box} units box

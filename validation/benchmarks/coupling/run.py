@@ -254,7 +254,7 @@ def main():
 
     rows = ["| grains | ranks | DEM steps per fluid step | fluid s | grains s | coupled s | overhead % "
             "| scatter % | own clock % | overhead, us per grain and interval "
-            "| grains on another rank % | bytes sent per step |",
+            "| remote grains % | bytes sent per step |",
             "|---|---|---|---|---|---|---|---|---|---|---|---|"]
     print("\n".join(rows), flush=True)
     for grains in options.grains:
@@ -277,14 +277,14 @@ def main():
                 halves = (f"{overhead(taken, slice(i, None, 2)):.1f}" for i in (0, 1)
                           if options.repeat > 1)
                 balance = box.read_balance(cases["coupled"])
-                travelling = 100 * statistics.mean(balance["travelling"]) / grains
+                remote = 100 * statistics.mean(balance["remote"]) / grains
                 sent = (balance["bytes"][-1] - balance["bytes"][0]) / (STEPS - 1)
                 rows.append(
                     "| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {} | {:.1f} | {:.2f} "
                     "| {:.1f} | {:.0f} |".format(
                         grains, ranks, interval, *wall, overhead(taken), ", ".join(halves),
                         statistics.median(clock), 1e6 * ranks * (wall[2] - wall[0] - wall[1]) / grains,
-                        travelling, sent))
+                        remote, sent))
                 print(rows[-1], flush=True)
     shutil.rmtree(work)
     if options.output:
