@@ -6,6 +6,7 @@
 
 #include "grainForces.H"
 #include "cellSampler.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -170,7 +171,7 @@ Foam::grainForces::grainForces
     (
         fluid,
         quantities_,
-        dict.lookupOrDefault<word>("formulation", "SetI") == "SetI"
+        couplingEntries::setI(dict)
     )
 {
     needs_.begin("coupling", dict);
