@@ -40,18 +40,23 @@ def without_object(command):
 
 
 def check_plugins(folder, compiler, aarch64):
-    """The problems of each source of the CMake project, as printed; none if all compile."""
+    """Number of sources of the CMake project that do not compile without a warning; what is printed says why."""
     choice = f"-DCMAKE_TOOLCHAIN_FILE={TOOLCHAIN}" if aarch64 else f"-DCMAKE_CXX_COMPILER={compiler}"
     code, printed = output(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
                             "-DPython3_EXECUTABLE=/usr/bin/python3", choice])
     if code:
-        return [f"the plugins cannot be configured:\n{printed}"]
+        print(f"the plugins cannot be configured:\n{printed}")
+        return 1
+    failed = 0
     entries = json.loads((folder / "compile_commands.json").read_text())
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = pool.map(lambda entry: output(without_object(entry["command"]), cwd=entry["directory"]), entries)
-        problems = [f"{entry['file']}:\n{printed}" for entry, (code, printed) in zip(entries, results) if code]
-    print(f"{len(entries)} sources of the plugins and their tests")
-    return problems
+        for entry, (code, printed) in zip(entries, results):
+            if code:
+                failed += 1
+                print(f"{entry['file']}:\n{printed}", flush=True)
+    print(f"{len(entries)} sources of the plugins and their tests, {failed} with warnings or errors")
+    return failed
 
 
 # After openfoam-environment: another label or precision, and a compiler that stops before any object
@@ -65,11 +70,11 @@ cd "openfoam-libs/$library" && wmakeLnInclude -s . && wmake -s objects
 
 
 def check_openfoam(folder, compiler, label, precision="DP", first_only=False):
-    """The problems of each OpenFOAM library, as printed; none if all sources compile."""
+    """Number of OpenFOAM libraries that do not compile without a warning; what is printed says why."""
     products = shutil.ignore_patterns("lnInclude", "linux*", "__pycache__", "tests")
     for part in ("openfoam-libs", "liggghts-plugins"):
         shutil.copytree(ROOT / part, folder / part, ignore=products)
-    problems = []
+    failed = 0
     for name in LIBRARIES:
         files = folder / "openfoam-libs" / name / "Make/files"
         sources = [line for line in files.read_text().split() if line.endswith(".C")]
@@ -78,11 +83,11 @@ def check_openfoam(folder, compiler, label, precision="DP", first_only=False):
             files.write_text(f"{sources[0]}\n\nLIB = $(FOAM_USER_LIBBIN)/lib{name}\n")
         choice = {"label": str(label), "precision": precision, "library": name, **({"CXX": compiler} if compiler else {})}
         code, printed = output(["bash", "-c", WMAKE], cwd=folder, env={**os.environ, **choice})
-        print(f"{len(sources)} sources of {name}")
-        # without warnings wmake names each file it works on, and no more
-        if code or "warning" in printed or printed.count("Ctoo: ") != len(sources):
-            problems.append(f"{name}:\n{printed}")
-    return problems
+        # wmake names each file it works on: none is left out
+        good = code == 0 and printed.count("Ctoo: ") == len(sources)
+        failed += not good
+        print(f"{len(sources)} sources of {name}" + ("" if good else f", with warnings or errors:\n{printed}"), flush=True)
+    return failed
 
 
 def main():
@@ -98,11 +103,10 @@ def main():
     with tempfile.TemporaryDirectory(prefix="grainjet-") as folder:
         folder = pathlib.Path(folder)
         if arguments.part == "plugins":
-            problems = check_plugins(folder, arguments.compiler or "g++", arguments.aarch64)
+            failed = check_plugins(folder, arguments.compiler or "g++", arguments.aarch64)
         else:
-            problems = check_openfoam(folder, arguments.compiler, arguments.label, arguments.precision, arguments.first)
-    print(*problems, sep="\n")
-    return 1 if problems else 0
+            failed = check_openfoam(folder, arguments.compiler, arguments.label, arguments.precision, arguments.first)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -54,6 +54,8 @@ int partner(const ContactStore &store, int grain, int tag)
 TEST(ContactStore, survivesExchangeWithAnotherRank)
 {
   ContactStore here, there;
+  here.keepRollingSpring(true);
+  there.keepRollingSpring(true);
   here.resize(5);
   there.resize(3);
   here.add(4, {123456789, 1, contact_of(0.1)});
@@ -74,6 +76,15 @@ TEST(ContactStore, survivesExchangeWithAnotherRank)
   EXPECT_EQ(there.unpack(0, buffer), written);
   expect_equal(there.entries(2)[0].contact, contact_of(0.1));
 
+  // without such a spring it is not sent
+  here.keepRollingSpring(false);
+  there.keepRollingSpring(false);
+  EXPECT_EQ(here.pack(4, buffer), written - 2 * 3);
+  there.unpack(1, buffer);
+  Contact without = contact_of(0.1);
+  without.rollingSpring = {0, 0, 0};
+  expect_equal(there.entries(1)[0].contact, without);
+
   here.copy(4, 0);
   here.forget(4);
   EXPECT_EQ(here.count(4), 0);
@@ -86,6 +97,7 @@ TEST(ContactPairs, contactsComeBackAfterASearchFromEitherSide)
   Row row;
   ContactPairs pairs;
   ContactStore store;
+  store.keepRollingSpring(true);
   store.resize(4);
   ASSERT_TRUE(pairs.build(row.grains(), 0.2, store));
   ASSERT_EQ(pairs.size(), 3u);
@@ -103,6 +115,7 @@ TEST(ContactPairs, contactsComeBackAfterASearchFromEitherSide)
   // the host has sorted its grains the other way round
   Row turned;
   ContactStore sorted;
+  sorted.keepRollingSpring(true);
   sorted.resize(4);
   for (int i = 0; i < 3; ++i) {
     double buffer[100];

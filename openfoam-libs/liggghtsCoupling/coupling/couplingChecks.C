@@ -44,7 +44,7 @@ void Foam::couplingChecks::timeStep() const
             << " s (system/controlDict), couplingInterval " << interval
             << ", timestep " << dem << " s (" << script_ << "), product "
             << interval*dem << " s.\n    Set deltaT to " << interval*dem;
-        if (std::round(fluid/dem) >= 1 && fluid/dem < labelMax)
+        if (std::round(fluid/dem) >= 1 && fluid/dem < scalar(labelMax))
         {
             message << " or couplingInterval to " << fluid/dem;
         }

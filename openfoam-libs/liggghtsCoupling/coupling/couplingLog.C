@@ -247,7 +247,7 @@ void Foam::couplingLog::write(const step& values)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
         << " %, still ";
-    if (secondsLeft < labelMax)
+    if (secondsLeft < scalar(labelMax))
     {
         Info<< label(secondsLeft + 0.5) << " s";
     }

@@ -131,7 +131,7 @@ Foam::wordList Foam::formerRun::traces() const
     }
     for
     (
-        const word& field
+        const char* field
       : {
             "voidFraction", "particleVelocity", "dragCoefficient",
             "particleMomentumSource", "particleMomentumOwed"
@@ -241,7 +241,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
 
     const IOdictionary dict(header(propertiesName, "uniform"));
 
-    for (const word& key : {"time", "demStep", "grains", "stamp", "bytes", "sha1", "files"})
+    for (const char* key : {"time", "demStep", "grains", "stamp", "bytes", "sha1", "files"})
     {
         if (!dict.found(key))
         {

@@ -165,7 +165,6 @@ Foam::grainForces::grainForces
     const cellLocator& locator
 )
 :
-    fluid_(fluid),
     quantities_(fluid),
     needs_
     (

@@ -66,6 +66,8 @@ public:
     }
 };
 
+} // End anonymous namespace
+
 #define makeDragLaw(function, Name)                                           \
     typedef standardDragLaw<grainjet::drag::function> Name##DragLaw;          \
     defineTemplateTypeNameAndDebugWithName(Name##DragLaw, #Name, 0);          \
@@ -80,7 +82,6 @@ makeDragLaw(diFelice, DiFelice)
 makeDragLaw(kochHill, KochHill)
 makeDragLaw(beetstra, Beetstra)
 
-} // End anonymous namespace
 } // End namespace Foam
 
 
