@@ -55,11 +55,16 @@ class Plane:
         self.axis_flux = (table["number_flux"][near]*areas).sum()/areas.sum()
 
 
+def removed(balance):
+    """Grains that have left the box or were deleted, by row."""
+    return balance["leftBox"] + balance["deleted"]
+
+
 def beyond(grains, balance, plane, diameter):
-    """Grains that have passed a plane by the time of a file of grains: behind it or gone."""
+    """Grains that have passed a plane by the time of a file of grains: behind it or removed."""
     time, position, _ = grains
     row = numpy.argmin(abs(balance["Time"] - time))
-    return (position[:, 2] > plane*diameter).sum() + balance["left"][row]
+    return (position[:, 2] > plane*diameter).sum() + removed(balance)[row]
 
 
 class Results:
@@ -123,9 +128,10 @@ class Results:
         gone = 1 + math.ceil(2*expected*p["insertionInterval"]/p["couplingInterval"]*p["fluidStep"]
                              / (p["endTime"] - p["sampleStart"]))
         if plate:
-            gone += int(balance["outside"].max())
-        checks.append((0 <= last["inserted"] - inside - last["left"] <= gone,
-                       f"inserted {last['inserted']:.0f} = inside {inside} + left {last['left']:.0f} "
+            gone += int(balance["outsideMesh"].max())
+        checks.append((0 <= last["inserted"] - inside - last["leftBox"] - last["deleted"] <= gone,
+                       f"inserted {last['inserted']:.0f} = inside {inside} + left the box "
+                       f"{last['leftBox']:.0f} + deleted {last['deleted']:.0f} "
                        f"(+ at most {gone} on their way out)"))
 
         # Each insertion rounds its number of grains up or down at random: deviation 1/2 at most
@@ -134,7 +140,7 @@ class Results:
         tolerance = 4*0.5*math.sqrt(insertions)
         checks.append((abs(last["inserted"] - stated) < tolerance,
                        f"inserted {last['inserted']:.0f} of {stated:.0f} grains stated (+- {tolerance:.0f})"))
-        outside = balance["outside"].max()
+        outside = balance["outsideMesh"].max()
         allowed = 0.01*balance["present"].max() if plate else 0
         checks.append((outside <= allowed,
                        f"grains outside the mesh at any step: {outside:.0f} (at most {allowed:.0f})"))

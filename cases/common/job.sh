@@ -1,4 +1,5 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The stages of a job, for the folder of a case as cases/quickJet is one. Sourced by

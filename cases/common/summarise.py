@@ -127,7 +127,7 @@ def main():
         "grainsInFlight": balance["present"][sampled].mean(),
         "grainsInFlightStartEnd": [balance["present"][sampled][i] for i in (0, -1)],
         "grainSteps": balance["present"].sum()*p["couplingInterval"],
-        "courantMax": balance["Courant"].max(), "percentRayleigh": balance["percentRayleigh"].max(),
+        "courantMax": tables.courant(folder), "percentRayleigh": balance["percentRayleigh"].max(),
         "solidFractionMax": balance["maxSolidFraction"].max(),
         "planes": [{"position": plane.position, "crossings": plane.crossings, "axisMean": plane.mean,
                     "axisMeanError": plane.error, "axisRms": plane.rms, "axisNumberFlux": plane.axis_flux,

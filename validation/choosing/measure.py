@@ -263,7 +263,7 @@ def seen(folder):
                      f"flux {flux/1e9:.3f} +- {flux/1e9/math.sqrt(N):.3f}e9")
     seconds = [balance[f"seconds{part}"].sum() for part in ("Fluid", "DEM", "Coupling")]
     words.append("seconds fluid/DEM/coupling " + "/".join(f"{s:.0f}" for s in seconds))
-    words.append(f"Courant {balance['Courant'].max():.2f} max solid fraction {balance['maxSolidFraction'].max():.4f}"
+    words.append(f"Courant {tables.courant(folder):.2f} max solid fraction {balance['maxSolidFraction'].max():.4f}"
                  f" Rayleigh {balance['percentRayleigh'].max():.1f} %")
     return words
 

@@ -40,7 +40,7 @@ class QuickJet(grainjet.Case):
         self.assertEqual(job.code, 0, job)
 
         # progress with time left, in words
-        self.assertRegex(job.output, r"% done, \d+ s left, grains \d+ \(inserted \d+, left \d+")
+        self.assertRegex(job.output, r"% done, \d+ s left, grains \d+ \(inserted \d+, left the box \d+")
 
         # check.py has judged fluxes, balance and velocities: nothing failed
         self.assertIn("All checks hold", job.output)

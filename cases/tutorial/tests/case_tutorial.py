@@ -28,7 +28,7 @@ class Tutorial(grainjet.Case):
         # the last of it, in parallel, has really run
         profiles = sorted((case/"postProcessing"/"profiles").glob("*/plane_5D.dat"))
         self.assertEqual(len(profiles), 3, profiles)
-        self.assertIn("End", (case/"log.pimpleFoam").read_text().splitlines()[-3:])
+        self.assertIn("End", (case/"log.pimpleFoam").read_text().splitlines())
 
     def test_a_page_that_is_wrong_is_noticed(self):
         self.assertEqual(edited("a\nb\nc\n", " a\n-b\n+x\n"), "a\nx\nc\n")

@@ -143,10 +143,32 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
         }
     }
     knownEntries::check(dict, known);
+    twoWay(coeffs);
+    setI(coeffs);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::couplingEntries::isFirst
+(
+    const dictionary& dict,
+    const word& key,
+    const word& first,
+    const word& second
+)
+{
+    const word value(dict.lookupOrDefault<word>(key, first));
+
+    if (value != first && value != second)
+    {
+        FatalIOErrorInFunction(dict)
+            << key << ' ' << value << " must be " << first << " or " << second
+            << exit(FatalIOError);
+    }
+    return value == first;
+}
+
 
 Foam::fileName Foam::couplingEntries::file(const fvMesh& mesh)
 {

@@ -7,6 +7,7 @@
 #include "couplingPipeline.H"
 #include "couplingCase.H"
 #include "couplingChecks.H"
+#include "couplingEntries.H"
 #include "noFloatTraps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -98,7 +99,7 @@ Foam::couplingPipeline::couplingPipeline
         fluid.mesh().time().globalPath(),
         dict.lookupOrDefault<fileName>("log", "log.liggghts")
     ),
-    log_(fluid.mesh(), dict.lookupOrDefault<word>("coupling", "twoWay") == "twoWay")
+    log_(fluid.mesh(), couplingEntries::twoWay(dict))
 {
     start();
 

@@ -160,7 +160,7 @@ Foam::string Foam::incompressibleFluid::misfit() const
 }
 
 
-void Foam::incompressibleFluid::checkSolver() const
+const Foam::fvMesh& Foam::incompressibleFluid::checkedMesh() const
 {
     const string solver(Foam::getEnv("FOAM_EXECUTABLE"));
     const string reason(misfit());
@@ -199,6 +199,7 @@ void Foam::incompressibleFluid::checkSolver() const
             break;
         }
     }
+    return mesh_;
 }
 
 
@@ -245,7 +246,7 @@ Foam::incompressibleFluid::incompressibleFluid
 )
 :
     carrierFluid(dict, mesh),
-    rhoValue_(readDensity(mesh)),
+    rhoValue_(readDensity(checkedMesh())),
     rho_
     (
         IOobject
@@ -267,7 +268,6 @@ Foam::incompressibleFluid::incompressibleFluid
 
 void Foam::incompressibleFluid::check() const
 {
-    checkSolver();
     checkField<volVectorField>("U", dimVelocity, true);
     checkField<volScalarField>("p", dimPressure/dimDensity, true);
 }

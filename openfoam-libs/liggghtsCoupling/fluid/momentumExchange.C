@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentumExchange.H"
+#include "couplingEntries.H"
 #include "fvMatrices.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -75,8 +76,8 @@ Foam::momentumExchange::momentumExchange
     const carrierFluid& fluid
 )
 :
-    twoWay_(dict.lookupOrDefault<word>("coupling", "twoWay") == "twoWay"),
-    setI_(dict.lookupOrDefault<word>("formulation", "SetI") == "SetI"),
+    twoWay_(couplingEntries::twoWay(dict)),
+    setI_(couplingEntries::setI(dict)),
     momentum_(grainMomentum::New(dict, fluid)),
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_

@@ -6,6 +6,7 @@
 
 #include "grainForces.H"
 #include "cellSampler.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -135,11 +136,17 @@ void Foam::grainForces::setAction
     action.velocity = at(batch.fluidVelocity);
     action.dragCoefficient = batch.Sp[i];
     action.force = at(batch.Su);
-    action.nonReactingCoefficient = batch.nonReactingSp[i];
-    action.nonReactingForce = at(batch.nonReactingSu);
-    action.spin = at(batch.fluidSpin);
-    action.spinCoefficient = batch.spinCoefficient[i];
-    action.torque = at(batch.torque);
+    if (requests().nonReacting)
+    {
+        action.nonReactingCoefficient = batch.nonReactingSp[i];
+        action.nonReactingForce = at(batch.nonReactingSu);
+    }
+    if (requests().torque)
+    {
+        action.spin = at(batch.fluidSpin);
+        action.spinCoefficient = batch.spinCoefficient[i];
+        action.torque = at(batch.torque);
+    }
     grains.set(g, action);
 
     const label nStates = batch.nStateLanes();
@@ -169,7 +176,7 @@ Foam::grainForces::grainForces
     (
         fluid,
         quantities_,
-        dict.lookupOrDefault<word>("formulation", "SetI") == "SetI"
+        couplingEntries::setI(dict)
     )
 {
     needs_.begin("coupling", dict);

@@ -134,6 +134,7 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
     // interpolation is continuous
     const scalar tolerance = -1e-10;
 
+    static_assert(tetBatch::size == grainBatch::size, "one point per grain");
     tetBatch batch;
     for (label i = 0; i < grainBatch::size; ++i)
     {
@@ -141,7 +142,6 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
     }
     batch.weigh();
 
-    const label width = values_.width();
     const label nLanes = values_.nLanes();
     for (label i = 0; i < grainBatch::size; ++i)
     {
@@ -174,21 +174,27 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
         const scalar* v1 = values_.atPoint(at.points[0]);
         const scalar* v2 = values_.atPoint(at.points[1]);
         const scalar* v3 = values_.atPoint(at.points[2]);
-        for (label first = 0; first < width; first += pointValues::blockSize)
-        {
-            scalar sum[pointValues::blockSize];
-            for (label k = 0; k < pointValues::blockSize; ++k)
+        values_.forBlocks
+        (
+            [&](const auto nBlocks, const label firstBlock)
             {
-                const label c = first + k;
-                sum[k] =
-                    at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
+                constexpr label n = nBlocks*pointValues::blockSize;
+                const label first = firstBlock*pointValues::blockSize;
+                scalar sum[n];
+                for (label k = 0; k < n; ++k)
+                {
+                    const label c = first + k;
+                    sum[k] =
+                        at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
+                }
+                // The last ones of a row may be no lane
+                const label last = min(n, nLanes - first);
+                for (label k = 0; k < last; ++k)
+                {
+                    lanes[first + k][i] = sum[k];
+                }
             }
-            const label n = min(pointValues::blockSize, nLanes - first);
-            for (label k = 0; k < n; ++k)
-            {
-                lanes[first + k][i] = sum[k];
-            }
-        }
+        );
     }
 }
 

@@ -136,6 +136,31 @@ void Foam::pointValues::packRow
 }
 
 
+template<Foam::label nBlocks>
+void Foam::pointValues::sumPoints(const label firstBlock)
+{
+    constexpr label n = nBlocks*blockSize;
+    const scalar* cells = cells_.data() + blockSize*firstBlock;
+    scalar* row = points_.data() + blockSize*firstBlock;
+    label part = 0;
+    forAll(mesh_.points(), i)
+    {
+        scalar sum[n] = {};
+        for (const label end = firstPart_[i + 1]; part < end; ++part)
+        {
+            const scalar weight = weights_[part];
+            const scalar* values = cells + width_*parts_[part];
+            for (label k = 0; k < n; ++k)
+            {
+                sum[k] += weight*values[k];
+            }
+        }
+        std::copy_n(sum, n, row);
+        row += width_;
+    }
+}
+
+
 void Foam::pointValues::packPatches(const sampledFields& fields)
 {
     scalar* rows = cells_.data() + width_*mesh_.nCells();
@@ -277,17 +302,27 @@ void Foam::pointValues::update(const sampledFields& fields)
         points_.assign(width_*mesh_.nPoints(), 0);
     }
 
-    forAll(mesh_.cells(), i)
+    for (const sampledFields::field& field : fields.fields)
     {
-        packRow
-        (
-            fields,
-            [&](const auto& field) -> const auto&
+        scalar* row = cells_.data() + field.lane;
+        if (field.scalar)
+        {
+            for (const scalar value : field.scalar->primitiveField())
             {
-                return field[i];
-            },
-            cells_.data() + width_*i
-        );
+                *row = value;
+                row += width_;
+            }
+        }
+        else
+        {
+            for (const vector& value : field.vector->primitiveField())
+            {
+                row[0] = value.x();
+                row[1] = value.y();
+                row[2] = value.z();
+                row += width_;
+            }
+        }
     }
     if (!matching_)
     {
@@ -296,28 +331,10 @@ void Foam::pointValues::update(const sampledFields& fields)
     }
 
     packPatches(fields);
-    label part = 0;
-    scalar* row = points_.data();
-    forAll(mesh_.points(), i)
-    {
-        const label first = part;
-        const label end = firstPart_[i + 1];
-        for (label block = 0; block < width_; block += blockSize)
-        {
-            scalar sum[blockSize] = {};
-            for (part = first; part < end; ++part)
-            {
-                const scalar weight = weights_[part];
-                const scalar* values = cells_.data() + width_*parts_[part] + block;
-                for (label k = 0; k < blockSize; ++k)
-                {
-                    sum[k] += weight*values[k];
-                }
-            }
-            std::copy_n(sum, blockSize, row);
-            row += blockSize;
-        }
-    }
+    forBlocks
+    (
+        [&](const auto n, const label first) { sumPoints<n>(first); }
+    );
     coupled_.sum(points_.data(), width_);
     if (constrained_)
     {

@@ -4,6 +4,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+// g++ takes a comparison for something that may trap, and does one point after the other
+#if defined(__GNUC__) && !defined(__clang__)
+    #pragma GCC optimize("no-trapping-math")
+#endif
+
 #include "tetBatch.H"
 
 // * * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * //

@@ -43,10 +43,10 @@ class Empty(grainjet.Case):
             for fixes in ("", WALL, WALL + "fix c all hertz/cg\n"):
                 with self.subTest(ranks=ranks, fixes=fixes):
                     folder = self.write(last, fixes, hertz if "hertz/cg" in fixes else "", ranks)
-                    self.assertIn("grains 0 (inserted 1, left 1", self.go_on(folder, 6, ranks))
+                    self.assertIn("grains 0 (inserted 1, left the box 1", self.go_on(folder, 6, ranks))
                     output = self.go_on(folder, 9, ranks)
                     self.assertIn(" 0 continued grains", output)
-                    self.assertIn("grains 0 (inserted 1, left 1", output)
+                    self.assertIn("grains 0 (inserted 1, left the box 1", output)
 
     def test_never_any_grain(self):
         for fixes in ("", WALL):
@@ -63,7 +63,7 @@ class Empty(grainjet.Case):
                 self.assertIn("grains 0 (inserted 0", self.go_on(folder, 4, ranks))
                 output = self.go_on(folder, 9, ranks)
                 self.assertIn(" 0 continued grains", output)
-                self.assertIn("grains 15 (inserted 15, left 0", output)
+                self.assertIn("grains 15 (inserted 15, left the box 0", output)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 """Each entry of the coupling's dictionary spoilt in every way: one error that names the entry and
-constant/fvOptions, exit code 1, before the first step. New entries of the page are covered by themselves."""
+constant/fvOptions, exit code 1, before the first momentum equation is solved. New entries of the page are covered by themselves."""
 # processors: 2
 # label: long
 
@@ -24,6 +24,7 @@ ENTRIES = {
     "formulation": Entry("choice", "SetI"),
     "momentum": Entry("choice", "implicit"),
     "turbulenceSources": Entry("choice", "none"),
+    "fluid": Entry("choice", "incompressible"),
     "U": Entry("name", "U"),
     "p": Entry("name", "p"),
     "log": Entry("output", "log.liggghts"),
@@ -58,19 +59,21 @@ class Entries(bad_case.BadCase):
         dictionaries.write(folder / "constant/fvOptions",
                            f"{name}\n{{\n    type liggghtsCoupling;\n{body}}}\n")
 
-    def spoilt(self, entries, within=None, ranks=0, only=None):
-        """Run all spoilt forms of a table (or those in `only`), which may lie in a sub-dictionary."""
-        folder = self.fresh()
+    def spoilt(self, entries, within=None, ranks=0, only=None, folder=None, **others):
+        """Run all spoilt forms of a table (or those in `only`), which may lie in a sub-dictionary; others: good
+        values of other entries."""
+        folder = folder or self.fresh()
         for bad in spoil(entries, KINDS):
             if only and bad.what not in only:
                 continue
             lines = bad.replace(entries)
             if within:
-                outer = [(k, e.good) for k, e in ENTRIES.items() if k != within]
+                outer = [(k, others.get(k, e.good)) for k, e in ENTRIES.items() if k != within]
                 lines = [*outer, (within, "{ " + text(lines).replace("\n", " ") + "}")]
             self.options(folder, text(lines))
             with self.subTest(entry=bad.entry, what=bad.what, ranks=ranks):
-                key = bad.lines[0][0] if bad.lines else bad.entry
+                # the entry as it is misspelt; but a model misses one that it requires first
+                key = bad.entry if within and entries[bad.entry].required or not bad.lines else bad.lines[0][0]
                 if bad.must_fail:
                     self.assertRefused(folder, "constant/fvOptions", key, ranks=ranks)
                 else:
@@ -84,10 +87,12 @@ class Entries(bad_case.BadCase):
     def test_every_entry_of_the_library_is_covered(self):
         """The words that it offers after a misspelt one are those of the tables here."""
         folder = self.fresh()
-        outer = text((k, e.good) for k, e in ENTRIES.items() if k != "voidFraction")
+        self.turbulent(folder, "kEpsilon", "k", "epsilon")
+        outer = text((k, "ChenWood" if k == "turbulenceSources" else e.good)
+                     for k, e in ENTRIES.items() if k != "voidFraction")
         for body, known in (
                 (outer + "    dragg Stokes;\n", {*ENTRIES, "type", "libs", "ChenWoodCoeffs"}),
-                (outer + "    voidFraction { modell divided; }\n", {*VOID_FRACTION}),
+                (outer + "    voidFraction { model divided; minimun 0.3; }\n", {*VOID_FRACTION}),
                 (outer + "    ChenWoodCoeffs { Bb 1; }\n", {*CHEN_WOOD})):
             self.options(folder, body)
             result = self.assertRefused(folder, "Unknown entry")
@@ -110,8 +115,9 @@ class Entries(bad_case.BadCase):
         self.spoilt(VOID_FRACTION, "voidFraction")
 
     def test_coefficients_of_chen_and_wood(self):
-        """Read although the model is not: entries are checked whether or not they are used."""
-        self.spoilt(CHEN_WOOD, "ChenWoodCoeffs")
+        folder = self.fresh()
+        self.turbulent(folder, "kEpsilon", "k", "epsilon")
+        self.spoilt(CHEN_WOOD, "ChenWoodCoeffs", folder=folder, turbulenceSources="ChenWood")
 
     def test_entries_within_coeffs_of_the_type(self):
         """OpenFOAM lets the entries lie one level deeper."""

@@ -96,7 +96,7 @@ class Writes(grainjet.Case):
         balance = box.read_balance(whole)
         if "hertz/cg" in options.get("contacts", "hertz/cg"):
             self.assertGreater(min(balance["contacts"][k] for k in (22, 40)), 0)
-        self.assertGreater(balance["left"][-1], balance["left"][40] + 5)
+        self.assertGreater(balance["deleted"][-1], balance["deleted"][40] + 5)
         return balance
 
     def test_serial(self):

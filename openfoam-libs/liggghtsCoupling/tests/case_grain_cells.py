@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The cell of a grain is one and the same on any number of ranks: on faces, edges and points, on an
 axis where many cells meet, on warped faces, at baffles."""
 # processors: 4
@@ -181,7 +184,7 @@ class GrainCells(box.CoupledCase):
         """What is counted since a run's start has 64 bits wherever it is kept, and the table has whole
         numbers with all digits."""
         found = 0
-        for folder in ("exchange", "voidFraction", "liggghtsCoupling"):
+        for folder in ("ownership", "locate", "voidFraction", "coupling"):
             for path in (pathlib.Path(__file__).parents[1] / folder).glob("*.H"):
                 text = path.read_text()
                 kinds = re.findall(r"//- (?:Bytes|Searches) [^;{]*?since construction[^;{]*?\n\s*"

@@ -99,7 +99,7 @@ class Traffic(box.CoupledCase):
                               for tag, row in after.items())
                 self.assertGreater(crossed, 10)
                 if cells == "9 9 19":       # LIGGGHTS cuts in the middle of a layer of cells
-                    self.assertGreater(max(balance["travelling"]), 5)
+                    self.assertGreater(max(balance["remote"]), 5)
                 self.assertLess(max(balance["imbalance"]), 1e-10)
                 for folder in (serial, parallel):
                     searches = box.read_balance(folder)["searches"]
@@ -120,14 +120,14 @@ class Traffic(box.CoupledCase):
         parallel = self.run_box(4, **case, decomposition="(1 2 2)", ranks_in_case=4)
         self.compare(serial, parallel, "0.002", 1e-11)
         balance = box.read_balance(parallel)
-        self.assertGreater(max(balance["travelling"]), 20)
+        self.assertGreater(max(balance["remote"]), 20)
         self.assertLess(max(balance["imbalance"]), 1e-10)
         self.assertLessEqual(balance["searches"][-1] - balance["searches"][0], 0.01 * 80 * 20)
 
     def test_out_of_the_mesh_and_back_in(self):
         """The box of LIGGGHTS is longer than the mesh. A grain that enters is found, one that leaves
-        is counted outside, one that leaves the box is counted as left: each step adds up, and
-        the last half kick of a grain outside is taken from the cell that it has left."""
+        the mesh is counted in outsideMesh, one that leaves the box in leftBox: each step adds up, and
+        the last half kick of a grain outside the mesh is taken from the cell that it has left."""
         x = [(0.01, 0.01, 0.02), (0.011, 0.012, -0.003), (0.007, 0.008, 0.039)]
         v = [(0, 0, 0), (0, 0, 4), (0, 0, 12)]
         for ranks in (0, 2):
@@ -138,16 +138,17 @@ class Traffic(box.CoupledCase):
                 balance = box.read_balance(folder)
                 # 3 mm at 4 m/s: in after 7.5 steps. 1 mm at 12 m/s: out after 0.8 steps,
                 # 21 mm: out of the box after 17.5
-                outside = balance["outside"]
+                outside = balance["outsideMesh"]
                 self.assertEqual(outside[0], 1)
                 self.assertEqual(outside[1], 2)
                 self.assertEqual(outside[9], 1)
                 self.assertEqual(outside[-1], 0)
                 self.assertEqual(balance["inserted"], [3] * 30)
-                self.assertEqual(balance["left"][0], 0)
-                self.assertEqual(balance["left"][-1], 1)
-                for present, left in zip(balance["present"], balance["left"]):
+                self.assertEqual(balance["leftBox"][0], 0)
+                self.assertEqual(balance["leftBox"][-1], 1)
+                for present, left in zip(balance["present"], balance["leftBox"]):
                     self.assertEqual(present + left, 3)
+                self.assertEqual(set(balance["deleted"]), {0})
                 self.assertEqual(set(balance["unaccounted"]), {0})
                 self.assertGreater(math.hypot(*(sum(balance[f"toGrains_{k}"]) for k in "xyz")), 0)
                 self.assertLess(max(balance["imbalance"]), 1e-10)
@@ -167,13 +168,13 @@ class Traffic(box.CoupledCase):
                 counters = time / "uniform/liggghtsCouplingProperties"
                 text = counters.read_text()
                 self.assertRegex(text, r"inserted +6;")
-                self.assertRegex(text, r"left +1;")
+                self.assertRegex(text, r"leftBox +1;")
                 counters.write_text(re.sub(r"inserted +6;", "inserted 8;", text))
                 result = self.foam("pimpleFoam", folder, ranks)
                 self.assertEqual(result.output.count("2 grains are gone"), 1)
                 balance = box.read_balance(folder, "0.0008")
                 self.assertEqual(set(balance["unaccounted"]), {2})
-                self.assertEqual(balance["left"][-1], 2)
+                self.assertEqual(balance["leftBox"][-1], 2)
                 self.assertEqual(balance["present"][-1], 4)
 
     def test_leaving_while_a_time_is_written(self):
@@ -199,8 +200,10 @@ class Traffic(box.CoupledCase):
                     "fix count all massflow/mesh mesh plane count once vec_side 0 0 1 delete_atoms yes")
                 balance = box.read_balance(folder)
                 self.assertEqual(set(balance["unaccounted"]), {0})
-                self.assertEqual(balance["left"][-1], 6 - balance["present"][-1])
-                self.assertGreaterEqual(balance["left"][-1], 4)
+                fate, other = ("leftBox", "deleted") if grains is out else ("deleted", "leftBox")
+                self.assertEqual(balance[fate][-1], 6 - balance["present"][-1])
+                self.assertGreaterEqual(balance[fate][-1], 4)
+                self.assertEqual(balance[other][-1], 0)
 
     def test_fast_change_of_void_fraction(self):
         """A grain of two thirds of a cell's width flies through cells at 20 m/s, one cell a step: the

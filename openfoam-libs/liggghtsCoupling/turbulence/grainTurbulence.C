@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainTurbulence.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -40,7 +41,7 @@ Foam::autoPtr<Foam::grainTurbulence> Foam::grainTurbulence::New
             << exit(FatalIOError);
     }
 
-    if (dict.lookupOrDefault<word>("coupling", "twoWay") == "oneWay")
+    if (!couplingEntries::twoWay(dict))
     {
         FatalIOErrorInFunction(dict)
             << "turbulenceSources " << model << " needs coupling twoWay: with oneWay the fluid"

@@ -315,9 +315,9 @@ def measure(grains, ranks, interval, options, envs, work):
         if len(envs) > 1:
             rows.append(f"| {options.builds[i].resolve().name} {row}")
             continue
-        travelling = 100 * statistics.mean(balance[i]["travelling"]) / grains
+        remote = 100 * statistics.mean(balance[i]["remote"]) / grains
         sent = (balance[i]["bytes"][-1] - balance[i]["bytes"][0]) / (STEPS - 1)
-        rows.append(f"{row} {travelling:.1f} | {sent:.0f} |")
+        rows.append(f"{row} {remote:.1f} | {sent:.0f} |")
     for i in builds[1:]:
         def points(choice=slice(None)):
             return overhead(taken[i], choice) - overhead(taken[0], choice)
@@ -363,7 +363,7 @@ def main():
         "grains", "ranks", "DEM steps per fluid step", "fluid s", "grains s", "coupled s", "overhead %", "scatter %",
         "own clock %", "overhead, us per grain and interval"]
     if len(envs) == 1:
-        columns += ["grains on another rank %", "bytes sent per step"]
+        columns += ["remote grains %", "bytes sent per step"]
     rows = ["| " + " | ".join(columns) + " |", len(columns) * "|---" + "|"]
     print("\n".join(rows), flush=True)
     for grains in options.grains:

@@ -13,6 +13,9 @@ from grainjet.case import Case
 # columns of a dump that tell how grains move
 MOTION = "id x y z vx vy vz"
 
+# what a solver prints after the momentum equation: an error that comes before has cost no time
+SOLVED = "Solving for (U|p,|p_rgh,)"
+
 # what a new run begins with, and a continued one finds in its restart file
 NEW = """
 region box block {box} units box

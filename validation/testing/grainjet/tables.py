@@ -44,6 +44,12 @@ def history(folder, name):
     return {column: numpy.concatenate([part[column] for part in parts]) for column in parts[0]}
 
 
+def courant(folder):
+    """The largest Courant number in the logs of the solver (log.pimpleFoam*) of a case."""
+    return max(float(number) for log in pathlib.Path(folder).glob("log.pimpleFoam*")
+               for number in re.findall(r"Courant Number mean: \S+ max: (\S+)", log.read_text()))
+
+
 def planes(folder):
     """{position in diameters: path} of the files of a particleSamplingPlanes object, in order."""
     found = {float(re.fullmatch(r"plane_(.+)D", path.stem)[1]): path
