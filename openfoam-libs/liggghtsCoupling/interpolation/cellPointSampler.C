@@ -187,9 +187,8 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
                     sum[k] =
                         at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
                 }
-                // The last ones of a row may be no lane
-                const label last = min(n, nLanes - first);
-                for (label k = 0; k < last; ++k)
+                // The last ones of a row may be no lane: there is room for them
+                for (label k = 0; k < n; ++k)
                 {
                     lanes[first + k][i] = sum[k];
                 }
