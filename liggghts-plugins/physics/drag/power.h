@@ -12,8 +12,8 @@
 namespace grainjet {
 namespace drag {
 
-/* Logarithm of x >= 0 that raises no floating-point exception at 0, where hosts such as
-   OpenFOAM would stop the program: there it is that of 1e-300, -691. Not by a choice: a
+/* Logarithm of x >= 0 that raises no floating-point exception at 0, where OpenFOAM would
+   stop the run: there it is that of 1e-300, -691. Not by a choice: a
    compiler may take both ways.                                                        */
 inline double safeLog(double x)
 {
