@@ -65,12 +65,11 @@ Foam::cellPointSampler::weights Foam::cellPointSampler::search
 ) const
 {
     weights result;
-    // On a face, but outside of this cell by a few digits, extrapolation would depend on the
-    // tetrahedron that is found first
-    const cellPointWeight cpw
-    (
-        mesh_, locator_.drawnIn(p, celli), celli
-    );
+    if (locator_.tets().weigh(p, celli, result.w, result.points))
+    {
+        return result;
+    }
+    const cellPointWeight cpw(mesh_, p, celli);
     for (direction k = 0; k < 4; ++k)
     {
         result.w[k] = cpw.weights()[k];
@@ -94,7 +93,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
     values_(mesh_)
 {
     const faceList& faces = mesh_.faces();
-    const labelList& bases = mesh_.tetBasePtIs();
+    const labelList& bases = locator_.tets().bases();
 
     forAll(mesh_.cells(), celli)
     {
@@ -103,7 +102,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
         {
             const label facei = cellFaces[i];
             const face& f = faces[facei];
-            const label base = max(bases[facei], 0);
+            const label base = bases[facei];
 
             FixedList<label, 4>& corners =
                 corners_[locator.block(celli)->firstFace + i];
