@@ -242,10 +242,11 @@ void Foam::incompressibleFluid::checkField
 Foam::incompressibleFluid::incompressibleFluid
 (
     const dictionary& dict,
-    const fvMesh& mesh
+    const fvMesh& mesh,
+    const knownEntries::table& entries
 )
 :
-    carrierFluid(dict, mesh),
+    carrierFluid(dict, mesh, entries),
     rhoValue_(readDensity(checkedMesh())),
     rho_
     (

@@ -94,6 +94,7 @@ void Foam::grainForces::fill
         batch.radius[i] = grain.radius;
         batch.mass[i] = grain.mass;
         batch.volume[i] = grain.volume();
+        batch.particles[i] = pow3(grain.cg);
         batch.particleDiameter[i] = grain.particleDiameter();
         batch.id[i] = grain.id;
         batch.cell[i] = grain.cell;
@@ -127,25 +128,20 @@ void Foam::grainForces::setAction
     const label g
 ) const
 {
-    const auto at = [i](const grainBatch::lane* lanes)
-    {
-        return vector(lanes[0][i], lanes[1][i], lanes[2][i]);
-    };
-
     fluidAction action;
-    action.velocity = at(batch.fluidVelocity);
+    action.velocity = grainBatch::get(batch.fluidVelocity, i);
     action.dragCoefficient = batch.Sp[i];
-    action.force = at(batch.Su);
+    action.force = grainBatch::get(batch.Su, i);
     if (requests().nonReacting)
     {
         action.nonReactingCoefficient = batch.nonReactingSp[i];
-        action.nonReactingForce = at(batch.nonReactingSu);
+        action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
     }
     if (requests().torque)
     {
-        action.spin = at(batch.fluidSpin);
+        action.spin = grainBatch::get(batch.fluidSpin, i);
         action.spinCoefficient = batch.spinCoefficient[i];
-        action.torque = at(batch.torque);
+        action.torque = grainBatch::get(batch.torque, i);
     }
     grains.set(g, action);
 
@@ -182,6 +178,7 @@ Foam::grainForces::grainForces
     needs_.begin("coupling", dict);
     U_ = needs_.quantity("U");
 
+    couplingEntries::onMaster([&](){ readModels(dict); });
     for (const Tuple2<word, dictionary>& model : readModels(dict))
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
@@ -253,12 +250,10 @@ Foam::scalar Foam::grainForces::act
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
             };
 
-            vector slip;
-            for (direction k = 0; k < 3; ++k)
-            {
-                slip[k] = batch.fluidVelocity[k][i] - batch.velocity[k][i];
-            }
-            slipSum += mag(slip);
+            slipSum += mag
+            (
+                grainBatch::get(batch.fluidVelocity, i) - grainBatch::get(batch.velocity, i)
+            );
         }
     }
     grains.send();
