@@ -1,15 +1,15 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The two ways to write forces: the short form (entries drag and forces) and the dictionary."""
 # processors: 2
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
-import coupled_box as box
+from grainjet import coupled_box as box, dumps
+from grainjet.coupled_box import swarm
 import user_library
-from case_coupling import swarm
 
 FILE = "constant/fvOptions"
 DUMP = ("dump d all custom 20 grains.*.dump id vx vy vz f_fluidDragCoefficient\n"
@@ -35,7 +35,7 @@ class ForceForms(bad_case.BadCase):
         run = self.assertRuns(folder, ranks=ranks)
         said = [line.strip() for line in run.output.splitlines() if line.strip().startswith("Forces:")]
         self.assertEqual(len(said), 1)
-        return box.read_dump(folder / "grains.20.dump"), said[0].split(":", 1)[1].split()
+        return dumps.last(folder / "grains.20.dump"), said[0].split(":", 1)[1].split()
 
     # ---- both say the same
 

@@ -1,15 +1,15 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The models of the library in tests/userModels, which a user could have written, one by one against
 what is known. docs/new_model.md explains that library."""
 # processors: 2
 
 import math
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries, dumps
 import user_library
 
 RHO, NU, RHO_P = 1.2, 1.5e-5, 2500.0
@@ -46,16 +46,15 @@ class Models(grainjet.Case):
         if ranks:
             self.foam("decomposePar", folder)
         self.log = self.foam("pimpleFoam", folder, ranks).output
-        return box.read_dump(folder / f"grains.{10 * steps}.dump")
+        return dumps.last(folder / f"grains.{10 * steps}.dump")
 
     def shear(self, folder, temperature=None):
         """Couette flow: u_x = SHEAR z between moving walls, which the solver keeps to round-off. T, if
         asked for, is linear in z, too."""
         def field(name, cls, dimensions, values, low, high):
-            (folder / "0" / name).write_text(
-                box.HEADER.format(cls, name) + f"dimensions {dimensions};\ninternalField nonuniform List<"
-                f"{'vector' if cls == 'volVectorField' else 'scalar'}> 128 ({values});\n"
-                f'boundaryField {{ zlo {{ {low} }} zhi {{ {high} }} "[xy].*" {{ type cyclic; }} }}\n')
+            kind = "vector" if cls == "volVectorField" else "scalar"
+            dictionaries.write_field(folder, name, dimensions, f"nonuniform List<{kind}> 128 ({values})",
+                                     f'zlo {{ {low} }} zhi {{ {high} }} "[xy].*" {{ type cyclic; }}')
 
         z = [0.0025 + 0.005 * (i // 16) for i in range(128)]
         field("U", "volVectorField", "[0 1 -1 0 0 0 0]", " ".join(f"({SHEAR * h!r} 0 0)" for h in z),

@@ -1,14 +1,14 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Mistakes in a user's model and in its dictionary: one error that names the model, the file and the
 entry, before LIGGGHTS begins. One of each kind on 2 ranks, too."""
 # processors: 2
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import bad_case
-import coupled_box as box
+from grainjet import coupled_box as box
 import user_library
 
 FILE = "constant/fvOptions"

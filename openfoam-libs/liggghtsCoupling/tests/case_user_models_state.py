@@ -1,19 +1,18 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A user's model with state and without reaction: state goes with the grain to other ranks and into a
 restart, and the fluid receives the opposite of what has a reaction, and of nothing else."""
 # processors: 2
 
 import math
-import pathlib
 import random
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box, dictionaries, dumps
+from grainjet.coupled_box import end_at, swarm
 import user_library
-from case_coupling import swarm
-from case_coupling_restart import end_at
 
 RHO, NU, RHO_P, D = 1.2, 1.5e-5, 250.0, 2e-4
 MASS = RHO_P * math.pi / 6 * D ** 3
@@ -67,7 +66,7 @@ class State(grainjet.Case):
         grains = self.crowd()
         serial = self.run_swarm("1", grains)
         parallel = self.run_swarm("2", grains, ranks=2, decomposition="(2 1 1)", processors="processors 1 1 2")
-        one, two = (box.read_dump(f / "grains.200.dump") for f in (serial, parallel))
+        one, two = (dumps.last(f / "grains.200.dump") for f in (serial, parallel))
         self.assertEqual(one, two)
 
         def crossed(k, middle):
@@ -92,7 +91,7 @@ class State(grainjet.Case):
                 end_at(parts, 20)
                 result = self.foam("pimpleFoam", parts, ranks)
                 self.assertIn("38 continued grains", result.output)
-                a, b = (box.read_dump(f / "grains.200.dump") for f in (whole, parts))
+                a, b = (dumps.last(f / "grains.200.dump") for f in (whole, parts))
                 self.assertNotEqual(a[1][9], 0)
                 self.assertEqual(a, b)
 
@@ -100,10 +99,10 @@ class State(grainjet.Case):
 
     def momentum(self, folder, grains, time):
         """Change of the momentum of all grains, and of the fluid, which began at rest."""
-        found = box.read_dump(folder / "grains.500.dump")
+        found = dumps.last(folder / "grains.500.dump")
         solid = [MASS * math.fsum(row[3 + k] - v[k] for row, v in zip(found.values(), grains[1]))
                  for k in range(3)]
-        u = box.read_internal(folder / time / "U")
+        u = dictionaries.internal(folder / time / "U")
         self.assertEqual(len(u), 2000)
         return solid, [RHO * VOLUME * math.fsum(c[k] for c in u) for k in range(3)]
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Libraries of models as a user writes them: built by wmake against the headers of this Grainjet."""
 
 import fcntl
