@@ -8,6 +8,9 @@
 #include "cellSampler.H"
 #include "couplingEntries.H"
 
+#include <algorithm>
+#include <limits>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::Tuple2<Foam::word, Foam::dictionary>>
@@ -120,6 +123,51 @@ void Foam::grainForces::fill
 }
 
 
+void Foam::grainForces::checkRequested(const grainBatch& batch) const
+{
+    const liggghtsSession::requests& requested = requests();
+    const auto anyIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] != 0);
+        }
+        return any;
+    };
+    const auto anyInVector = [&](const grainBatch::lane* lanes)
+    {
+        return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
+    };
+
+    const char* unasked = nullptr;
+    if
+    (
+        !requested.nonReacting
+     && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
+    )
+    {
+        unasked = "forces without reaction, but has not called forceNeeds::nonReacting()";
+    }
+    if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
+    {
+        unasked = "torque, but has not called forceNeeds::torque()";
+    }
+
+    if (unasked)
+    {
+        wordList names;
+        for (const grainForce& force : forces_)
+        {
+            names.append(force.type());
+        }
+        FatalErrorInFunction
+            << "One of the models " << flatOutput(names) << " adds " << unasked
+            << " in its constructor" << exit(FatalError);
+    }
+}
+
+
 void Foam::grainForces::setAction
 (
     grainBatch& batch,
@@ -224,6 +272,14 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    if (!requests().spin)
+    {
+        // A model that reads it without asking for it gets no number, which fix fluid/force refuses
+        for (grainBatch::lane& spin : batch.spin)
+        {
+            std::fill_n(spin.values, grainBatch::size, std::numeric_limits<scalar>::quiet_NaN());
+        }
+    }
     for (label first = 0; first < n; first += grainBatch::size)
     {
         fill(batch, grains, first);
@@ -240,6 +296,7 @@ Foam::scalar Foam::grainForces::act
         {
             force.add(batch);
         }
+        checkRequested(batch);
 
         for (label i = 0; i < batch.n; ++i)
         {

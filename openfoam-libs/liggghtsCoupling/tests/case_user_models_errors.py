@@ -110,6 +110,15 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { states (a); numbers 0; } }", "without numbers", FILE)
         self.assertOneError("{ probe { states (a); infinite yes; } }", "state a", "not finite", FILE)
 
+    def test_not_asked_for(self):
+        """What a model adds without asking for it would get lost: an error when it does."""
+        for unasked, words in (("torque", "adds torque"), ("nonReacting", "adds forces without reaction")):
+            for ranks in (0, 2):
+                folder = self.case(f"{{ drag {{}} probe {{ unasked {unasked}; }} }}")
+                self.assertRefused(folder, "(drag probe)", words, f"forceNeeds::{unasked}()", ranks=ranks, steps=True)
+        # the spin of grains that nobody has asked for is no number, and so is a force from it
+        self.assertRefused(self.case("{ drag {} probe { unasked spin; } }"), "LIGGGHTS stopped", "force", steps=True)
+
     # ---- the fluid
 
     def test_fluid(self):

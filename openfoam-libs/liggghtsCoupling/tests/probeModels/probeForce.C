@@ -31,10 +31,12 @@ Foam::probeForce::probeForce(const dictionary& dict, forceNeeds& needs)
             {"states", knownEntries::valueType::ANY},
             {"infinite", knownEntries::valueType::SWITCH},
             {"numbers", knownEntries::valueType::ANY},
-            {"shift", knownEntries::valueType::ANY}
+            {"shift", knownEntries::valueType::ANY},
+            {"unasked", knownEntries::valueType::WORD}
         }
     ),
-    shift_(dict.lookupOrDefault<vector>("shift", Zero))
+    shift_(dict.lookupOrDefault<vector>("shift", Zero)),
+    unasked_(dict.lookupOrDefault<word>("unasked", word()))
 {
     for (const word& name : dict.lookupOrDefault<wordList>("quantities", wordList()))
     {
@@ -61,6 +63,18 @@ void Foam::probeForce::add(grainBatch& grains) const
     for (label i = 0; i < grainBatch::size; ++i)
     {
         grainBatch::add(grains.fluidVelocity, i, shift_);
+        if (unasked_ == "torque")
+        {
+            grains.torque[2][i] += 1e-12;
+        }
+        if (unasked_ == "spin")
+        {
+            grains.Su[2][i] += grains.spin[2][i];
+        }
+        if (unasked_ == "nonReacting")
+        {
+            grains.nonReactingSu[2][i] += 1e-12;
+        }
     }
 }
 
