@@ -1,0 +1,167 @@
+"""On meshes that users have, the coupling finds the cells and makes the values that OpenFOAM itself does."""
+# processors: 2
+# label: long
+
+import fcntl
+import pathlib
+import re
+import shutil
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import coupled_box as box
+import grainjet
+import meshes
+
+# Built by wmake from the sources beside, once for all tests and again when they or the library change
+BUILD = """
+. "{root}/openfoam-libs/tools/openfoam-environment" || exit 1
+export PROBE_DIR="{out}"
+cd "{source}" && wmake -s
+"""
+
+
+def probe():
+    """The program meshProbe."""
+    out = grainjet.ROOT / "build/meshProbe"
+    out.mkdir(parents=True, exist_ok=True)
+    with open(out / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        script = BUILD.format(root=grainjet.ROOT, out=out, source=pathlib.Path(__file__).parent / "meshProbe")
+        # wmake takes the OpenFOAM that the tests run with for one that was sourced
+        result = grainjet.run(["env", "-u", "WM_PROJECT_DIR", "bash", "-c", script], out)
+    if result.code:
+        raise AssertionError(result)
+    return out / "meshProbe"
+
+
+# What each mesh is here for: at least so many faces of a cell and points of a face, and shares of
+# warped faces and of cells that are not convex
+KINDS = {
+    "jet": (12, 5, 0.3, 0.01),
+    "layers": (6, 4, 0.1, 0),
+    "tetrahedra": (4, 3, 0, 0),
+    "dual": (14, 6, 0.3, 0),
+    "concave": (10, 8, 0.5, 1),
+    "wedge": (6, 4, 0, 0),
+    "baffles": (6, 4, 0.5, 0),
+    "unmatched": (6, 4, 0, 0),
+}
+
+
+class MeshesCells(grainjet.Case):
+
+    points, walkers, steps, spheres = 100000, 10000, 200, 5000
+
+    def probe(self, folder, ranks=0, **numbers):
+        """The figures that meshProbe prints."""
+        parallel = ["-parallel"] if ranks else []
+        options = [word for name, value in numbers.items() for word in (f"-{name}", value)]
+        result = grainjet.run([*grainjet.mpirun(ranks), self.program, *parallel, *options], folder)
+        self.assertEqual(result.code, 0, result)
+        return {name: float(value) for name, value in re.findall(r"^result (\w+) (\S+)$", result.output, re.M)}
+
+    def on_mesh(self, name):
+        """Cells, walks, parts of spheres and cellPoint on a mesh, serial and on 2 and 4 ranks.
+
+        A random point must be found in the cell that polyMesh::findCell names (by tetrahedra, with
+        OpenFOAM's octree). On a face both cells are right: one point in 10,000 may be in the other
+        one, if that holds it within 1e-6 of its size. Searched or walked to, it must be the same cell.
+
+        Walkers make steps of up to two cells' width. At each step their cell must hold them by its
+        tetrahedra (1e-6 of its size), and who is said to be outside must be so for findCell. Next to none
+        is searched through the mesh, but through baffles, cyclicAMI, and where cells of another form
+        than convex lead a walk astray: less than one step in ten.
+
+        Spheres of a diameter of 0.2 to 2 cells' width lie in cells as a whole (1e-12), and each part in
+        the cell that findCell names for its point: 1e-4 of the volume is one part in 10,000 on a face.
+
+        cellPoint is OpenFOAM's interpolationCellPoint to 1e-11 of a field of size 1, but where several
+        tetrahedra of the cell hold the point.
+
+        On ranks each point has one rank, and cell and values of the serial run: values to 1e-11."""
+        folder = self.folder / name
+        box.write(folder, walls=True, through=True)
+        make, _ = meshes.MESHES[name]
+        make(folder)
+        shutil.rmtree(folder / "0")
+        self.program = probe()
+        numbers = {"points": self.points, "spheres": self.spheres}
+        if name == "unmatched":
+            numbers["period"] = "(0 0 0.04)"
+
+        seen = self.probe(folder, walkers=self.walkers, steps=self.steps, **numbers)
+        print("\n" + name + ": " + ", ".join(f"{key} {value:.6g}" for key, value in seen.items()))
+        faces, points, warped, not_convex = KINDS[name]
+        self.assertGreaterEqual(seen["facesOfCell"], faces)
+        self.assertGreaterEqual(seen["pointsOfFace"], points)
+        self.assertGreaterEqual(seen["warpedFaces"], warped)
+        self.assertGreaterEqual(seen["cellsNotConvex"], not_convex)
+        self.assertEqual(seen["invertedTetrahedra"], 0)
+
+        self.assertGreater(seen["inside"], 0.4 * self.points)
+        for fault in ("lost", "wrongCell", "otherCellByWalk", "differentValue", "notThere", "lostOnTheWay",
+                      "otherCellBySearch"):
+            self.assertEqual(seen[fault], 0, fault)
+        self.assertLessEqual(seen["ambiguousCell"], 1e-4 * self.points)
+        self.assertLessEqual(seen["valueOfOtherTetrahedron"], 1e-4 * self.points)
+        self.assertGreater(seen["located"], 0.3 * self.walkers * self.steps)
+        self.assertLess(seen["searched"], 0.1 if name in ("concave", "baffles", "unmatched") else 1e-3)
+        self.assertGreater(seen["spheres"], 0.4 * self.spheres)
+        self.assertLess(seen["volumeError"], 1e-12)
+        self.assertLess(seen["volumeInOtherCell"], 1e-4)
+
+        for ranks, decomposition in ((2, "simple"), (4, "scattered")):
+            with self.subTest(ranks=ranks):
+                text = f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n (2 1 1); delta 1e-6; }}\n"
+                if decomposition == "scattered":
+                    n = int(seen["cells"])
+                    text = f'numberOfSubdomains {ranks}; method manual; manualCoeffs {{ dataFile "ranksOfCells"; }}\n'
+                    (folder / "constant/ranksOfCells").write_text(
+                        box.HEADER.format("labelList", "ranksOfCells") + f"{n}\n(\n"
+                        + "\n".join(str(i // 7 % ranks) for i in range(n)) + "\n)\n")
+                meshes.dictionary(folder, "decomposeParDict", text)
+                meshes.program(folder, "decomposePar", "-force")
+                seen = self.probe(folder, ranks, **numbers)
+                print(f"{ranks} ranks: " + ", ".join(f"{key} {value:.6g}" for key, value in seen.items()))
+                for fault in ("pointsOfSeveralRanks", "pointsLost", "pointsInOtherCell", "otherValues"):
+                    self.assertEqual(seen[fault], 0, fault)
+                self.assertLess(seen["volumeError"], 1e-12)
+        shutil.rmtree(folder)
+
+    def test_jet(self):
+        """A pipe that opens into a chamber, by snappyHexMesh."""
+        self.on_mesh("jet")
+
+    def test_layers(self):
+        """A pipe with prism layers, by snappyHexMesh."""
+        self.on_mesh("layers")
+
+    def test_tetrahedra(self):
+        """Tetrahedra."""
+        self.on_mesh("tetrahedra")
+
+    def test_dual(self):
+        """Polyhedra, by polyDualMesh."""
+        self.on_mesh("dual")
+
+    def test_concave(self):
+        """Cells and faces in the form of an L."""
+        self.on_mesh("concave")
+
+    def test_wedge(self):
+        """A wedge."""
+        self.on_mesh("wedge")
+
+    def test_baffles(self):
+        """Baffles between warped cells."""
+        self.on_mesh("baffles")
+
+    def test_unmatched(self):
+        """cyclicAMI."""
+        self.on_mesh("unmatched")
+
+
+if __name__ == "__main__":
+    unittest.main()
