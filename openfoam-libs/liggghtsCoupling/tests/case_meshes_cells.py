@@ -2,7 +2,6 @@
 # processors: 2
 # label: long
 
-import fcntl
 import pathlib
 import re
 import shutil
@@ -14,23 +13,14 @@ import coupled_box as box
 import grainjet
 import meshes
 
-# Built by wmake from the sources beside, once for all tests and again when they or the library change
-BUILD = """
-. "{root}/openfoam-libs/tools/openfoam-environment" || exit 1
-export PROBE_DIR="{out}"
-cd "{source}" && wmake -s
-"""
-
-
 def probe():
-    """The program meshProbe."""
+    """The program meshProbe: built by wmake from a copy of the sources, which is kept, so that only what
+    has changed there or in the library is compiled again."""
     out = grainjet.ROOT / "build/meshProbe"
-    out.mkdir(parents=True, exist_ok=True)
-    with open(out / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        script = BUILD.format(root=grainjet.ROOT, out=out, source=pathlib.Path(__file__).parent / "meshProbe")
-        # wmake takes the OpenFOAM that the tests run with for one that was sourced
-        result = grainjet.run(["env", "-u", "WM_PROJECT_DIR", "bash", "-c", script], out)
+    shutil.copytree(pathlib.Path(__file__).parent / "meshProbe", out, dirs_exist_ok=True)
+    result = grainjet.run(
+        ["bash", "-c", f". '{grainjet.ROOT}/openfoam-libs/tools/openfoam-environment' && wmake -s"], out,
+        env={"GRAINJET_DIR": str(grainjet.ROOT)})
     if result.code:
         raise AssertionError(result)
     return out / "meshProbe"
@@ -53,6 +43,10 @@ KINDS = {
 class MeshesCells(grainjet.Case):
 
     points, walkers, steps, spheres = 100000, 10000, 200, 5000
+
+    @classmethod
+    def setUpClass(cls):
+        cls.program = probe()
 
     def probe(self, folder, ranks=0, **numbers):
         """The figures that meshProbe prints."""
@@ -86,7 +80,6 @@ class MeshesCells(grainjet.Case):
         make, _ = meshes.MESHES[name]
         make(folder)
         shutil.rmtree(folder / "0")
-        self.program = probe()
         numbers = {"points": self.points, "spheres": self.spheres}
         if name == "unmatched":
             numbers["period"] = "(0 0 0.04)"
@@ -112,17 +105,9 @@ class MeshesCells(grainjet.Case):
         self.assertLess(seen["volumeError"], 1e-12)
         self.assertLess(seen["volumeInOtherCell"], 1e-4)
 
-        for ranks, decomposition in ((2, "simple"), (4, "scattered")):
+        for ranks in (2, 4):
             with self.subTest(ranks=ranks):
-                text = f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n (2 1 1); delta 1e-6; }}\n"
-                if decomposition == "scattered":
-                    n = int(seen["cells"])
-                    text = f'numberOfSubdomains {ranks}; method manual; manualCoeffs {{ dataFile "ranksOfCells"; }}\n'
-                    (folder / "constant/ranksOfCells").write_text(
-                        box.HEADER.format("labelList", "ranksOfCells") + f"{n}\n(\n"
-                        + "\n".join(str(i // 7 % ranks) for i in range(n)) + "\n)\n")
-                meshes.dictionary(folder, "decomposeParDict", text)
-                meshes.program(folder, "decomposePar", "-force")
+                meshes.decompose(folder, ranks)
                 seen = self.probe(folder, ranks, **numbers)
                 print(f"{ranks} ranks: " + ", ".join(f"{key} {value:.6g}" for key, value in seen.items()))
                 for fault in ("pointsOfSeveralRanks", "pointsLost", "pointsInOtherCell", "otherValues"):

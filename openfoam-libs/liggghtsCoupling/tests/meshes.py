@@ -7,6 +7,7 @@ all of them. Walls, an inlet at zlo and an outlet at zhi, unless a mesh says oth
 import math
 import pathlib
 import random
+import re
 
 import coupled_box as box
 import grainjet
@@ -92,8 +93,9 @@ def program(folder, *command):
     return result.output
 
 
-def dictionary(folder, name, text):
-    (folder / "system" / name).write_text(box.HEADER.format("dictionary", name) + text)
+def put(path, text, kind="dictionary"):
+    """Write a file with its header."""
+    path.write_text(box.HEADER.format(kind, path.name) + text)
 
 
 def write_mesh(folder, points, cells, patch_of):
@@ -116,24 +118,24 @@ def write_mesh(folder, points, cells, patch_of):
     mesh = folder / "constant/polyMesh"
     mesh.mkdir(parents=True, exist_ok=True)
 
-    def put(name, cls, lines, note=""):
+    def store(name, cls, lines, note=""):
         (mesh / name).write_text(
             f'FoamFile {{ version 2.0; format ascii; class {cls}; {note} location "constant/polyMesh"; '
             f"object {name}; }}\n{len(lines)}\n(\n" + "\n".join(lines) + "\n)\n")
 
     note = (f'note "nPoints: {len(points)} nCells: {len(cells)} nFaces: {len(inner) + len(outer)} '
             f'nInternalFaces: {len(inner)}";')
-    put("points", "vectorField", ["({!r} {!r} {!r})".format(*p) for p in points])
-    put("faces", "faceList", ["{}({})".format(len(f), " ".join(map(str, f)))
+    store("points", "vectorField", ["({!r} {!r} {!r})".format(*p) for p in points])
+    store("faces", "faceList", ["{}({})".format(len(f), " ".join(map(str, f)))
                               for f in [f[2] for f in inner] + [f[1] for f in outer]])
-    put("owner", "labelList", [str(f[0]) for f in inner] + [str(f[0]) for f in outer], note)
-    put("neighbour", "labelList", [str(f[1]) for f in inner], note)
+    store("owner", "labelList", [str(f[0]) for f in inner] + [str(f[0]) for f in outer], note)
+    store("neighbour", "labelList", [str(f[1]) for f in inner], note)
     entries, start = [], len(inner)
     for name in sorted(patches):
         kind = "patch" if name in ("zlo", "zhi") else "wall"
         entries.append(f"{name} {{ type {kind}; nFaces {len(patches[name])}; startFace {start}; }}")
         start += len(patches[name])
-    put("boundary", "polyBoundaryMesh", entries)
+    store("boundary", "polyBoundaryMesh", entries)
 
 
 def side_of(centre):
@@ -235,7 +237,7 @@ def tube(lower, upper):
 def snappy(folder, surface, triangles, **settings):
     stl(folder / "constant/triSurface" / f"{surface}.stl", triangles)
     program(folder, "blockMesh")
-    dictionary(folder, "snappyHexMeshDict", SNAPPY.format(surface=surface, **settings))
+    put(folder / "system/snappyHexMeshDict", SNAPPY.format(surface=surface, **settings))
     program(folder, "snappyHexMesh", "-overwrite")
 
 
@@ -254,7 +256,7 @@ def layers(folder):
 def wedge(folder):
     """A wedge of 5 degrees with its axis, one cell thick."""
     half = math.radians(WEDGE_ANGLE / 2)
-    dictionary(folder, "blockMeshDict", WEDGE.format(x=20 * math.cos(half), y=20 * math.sin(half)))
+    put(folder / "system/blockMeshDict", WEDGE.format(x=20 * math.cos(half), y=20 * math.sin(half)))
     program(folder, "blockMesh")
 
 
@@ -272,14 +274,28 @@ def baffles(folder):
                 cells.append([tuple(c[p] for p in face) for face in
                               ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))])
     write_mesh(folder, points, cells, side_of)
-    dictionary(folder, "createBafflesDict", BAFFLES)
+    put(folder / "system/createBafflesDict", BAFFLES)
     program(folder, "createBaffles", "-overwrite")
 
 
 def unmatched(folder):
     """Two blocks joined by cyclicAMI, periodic by cyclicAMI."""
-    dictionary(folder, "blockMeshDict", UNMATCHED)
+    put(folder / "system/blockMeshDict", UNMATCHED)
     program(folder, "blockMesh")
+
+
+def decompose(folder, ranks):
+    """Divide the mesh: for two ranks by a plane, for more into pieces of seven cells, so that cells of all ranks
+    meet everywhere."""
+    text = f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n (2 1 1); delta 1e-6; }}\n"
+    if ranks > 2:
+        owner = (folder / "constant/polyMesh/owner").read_text()
+        n = int(re.search(r"nCells:\s*(\d+)", owner).group(1))
+        put(folder / "constant/ranksOfCells",
+            f"{n}\n(\n" + "\n".join(str(i // 7 % ranks) for i in range(n)) + "\n)\n", "labelList")
+        text = f'numberOfSubdomains {ranks}; method manual; manualCoeffs {{ dataFile "ranksOfCells"; }}\n'
+    put(folder / "system/decomposeParDict", text)
+    program(folder, "decomposePar", "-force")
 
 
 def radius(p):
