@@ -13,6 +13,7 @@ import coupled_box as box
 import grainjet
 import meshes
 
+
 def probe():
     """The program meshProbe: built by wmake from a copy of the sources, which is kept, so that only what
     has changed there or in the library is compiled again."""
@@ -43,6 +44,7 @@ KINDS = {
 class MeshesCells(grainjet.Case):
 
     points, walkers, steps, spheres = 100000, 10000, 200, 5000
+    shared = 30000      # of the points, looked for on several ranks
 
     @classmethod
     def setUpClass(cls):
@@ -108,6 +110,7 @@ class MeshesCells(grainjet.Case):
         for ranks in (2, 4):
             with self.subTest(ranks=ranks):
                 meshes.decompose(folder, ranks)
+                numbers["points"] = self.shared
                 seen = self.probe(folder, ranks, **numbers)
                 print(f"{ranks} ranks: " + ", ".join(f"{key} {value:.6g}" for key, value in seen.items()))
                 for fault in ("pointsOfSeveralRanks", "pointsLost", "pointsInOtherCell", "otherValues"):

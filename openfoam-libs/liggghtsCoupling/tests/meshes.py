@@ -5,7 +5,6 @@ all of them. Walls, an inlet at zlo and an outlet at zhi, unless a mesh says oth
 """
 
 import math
-import pathlib
 import random
 import re
 
