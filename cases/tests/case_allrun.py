@@ -73,7 +73,7 @@ class Allrun(grainjet.Case):
 
     def compare(self, found):
         """With the kept table. The mesh is the same; the steady flow stops within its residuals, 1 %;
-        the grains differ in the last digit and so, soon, in their paths: 4 standard errors of the
+        the grains differ in the last digit, and after some steps in their paths: 4 standard errors of the
         difference of two runs, a count of n being known to sqrt(n)."""
         for name in ("cells", "nonOrthogonalityMax", "skewnessMax"):
             self.assertAlmostEqual(found["mesh"][name], KEPT["mesh"][name], delta=1e-3*KEPT["mesh"][name])

@@ -23,7 +23,6 @@
 using namespace LAMMPS_NS;
 using grainjet::FixArguments;
 using grainjet::drag::ExponentialDrag;
-using grainjet::drag::NamedLaw;
 using grainjet::drag::State;
 
 // Far beyond every fluid, so that only slips of the pen are refused: the speed of light (m/s),
@@ -53,10 +52,10 @@ UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
   if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
   if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
 
-  law_ = grainjet::drag::findLaw(law, &NamedLaw::script);
+  law_ = grainjet::drag::findLaw(law);
   if (!law_)
     arguments.fail("unknown drag law '" + law + "'; valid laws are "
-      + grainjet::drag::lawNames(&NamedLaw::script));
+      + grainjet::drag::lawNames());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -71,7 +71,7 @@ std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
     snprintf(number, sizeof(number), ",%.10g", value);
     text += number;
   };
-  // a constant: the division 0/0 would end a run in a host that traps invalid operations
+  // a constant: the division 0/0 would end a run in OpenFOAM, which traps invalid operations
   const double undefined = std::numeric_limits<double>::quiet_NaN();
   for (int r = 0; r < regions(); r++) {
     const Region &region = regions_[r];

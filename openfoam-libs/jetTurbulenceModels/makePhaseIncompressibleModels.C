@@ -1,8 +1,8 @@
-/* ----------------------------------------------------------------------
-   Grainjet: coarse-grained CFD-DEM for particle-laden jets
-   Copyright (C) 2026 The Grainjet developers
-   SPDX-License-Identifier: GPL-3.0-or-later
-------------------------------------------------------------------------- */
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
 
 // Registers the models for the phase-weighted turbulence of DPMFoam and
 // MPPICFoam (the fluid fraction enters every term of the equations)

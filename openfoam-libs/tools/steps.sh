@@ -1,3 +1,7 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
 # For the build scripts (bash, sourced): steps with their time, failures in words, the cache.
 
 if [ -t 1 ]; then live=yes; else live=; fi

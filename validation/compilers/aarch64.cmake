@@ -1,3 +1,7 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
 # CMake toolchain: Debian's cross compiler for aarch64 (package g++-aarch64-linux-gnu). For compiling
 # only: libraries to link with are not at hand, and headers of LIGGGHTS and MPI are this machine's.
 #   cmake -S . -B build-aarch64 -DCMAKE_TOOLCHAIN_FILE=validation/compilers/aarch64.cmake

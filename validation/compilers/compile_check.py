@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Compiles all sources with a compiler, label size or processor other than the build's; nothing is kept.
 
     compile_check.py plugins  --compiler clang++      the plugins, those for tests, and the unit tests

@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`fix hertz/cg` against the benchmark tests of Chung & Ooi, Granular Matter 13 (2011) 643.
 
     source environment; compare.py <folder with digitised curves> [<picture.png>]

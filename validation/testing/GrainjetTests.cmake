@@ -1,5 +1,9 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
 # Tests are found by themselves: drop a file into the folder `tests` of what it tests.
-#   <part>/tests/test_*.cpp   GoogleTest without any host (the headers of physics/)
+#   <part>/tests/test_*.cpp   GoogleTest without LIGGGHTS and OpenFOAM (the headers of physics/)
 #   <part>/tests/case_*.py    a case-level test (Python unittest) that drives the real programs
 # A case-level test may state in comments how many of the machine's processors it occupies, and that it takes
 # more than 10 s on a free machine:

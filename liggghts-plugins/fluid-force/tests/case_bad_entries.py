@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every word of fix fluid/force spoilt in every way; what makes forces that are no numbers; empty boxes."""
 # processors: 2
 # label: long

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix fluid/force coupled: torque, and the state of models, on several ranks and over restarts; bad requests.
 
 The coupling is played by a small plugin (fix_exchange_probe.h). Its states begin with 0.25, 1.25 ... and gain

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix fluid/force in stock LIGGGHTS on several ranks: momentum is booked to the last digit
 through migration, sorting, restart and loss.
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix fluid/force in stock LIGGGHTS: the state of new, carried and restarted grains, ranks without
 grains, groups, global vector.
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix fluid/force: impulse of forces with and without reaction on the fluid, each counted independently.
 
 What the fluid gave the grains is told from their velocities alone: the change of their momentum, less what

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # label: long
 """Every word of fix hertz/cg spoilt in every way: one error each that names the fix, and no run."""

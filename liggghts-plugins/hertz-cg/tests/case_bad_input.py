@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # label: long
 """What a user may get wrong with fix hertz/cg and coarsegraining: one clear error each, serial and on

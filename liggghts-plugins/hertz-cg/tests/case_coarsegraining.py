@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The command coarsegraining: factors before and after the box, and its words spoilt in every way."""
 # processors: 2
 # label: long

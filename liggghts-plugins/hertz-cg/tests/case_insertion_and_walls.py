@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """A jet of grains that is inserted during the run, streams through a pipe (primitive wall), hits a plate
 (mesh wall) and leaves through the open end: fix hertz/cg against the stock pair style."""

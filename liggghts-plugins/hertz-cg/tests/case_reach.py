@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # label: long
 """fix hertz/cg chooses its reach again during a run that starts in an empty box, with meshes that stand still and that

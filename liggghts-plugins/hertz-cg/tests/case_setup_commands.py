@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # label: long
 """Every variant of the commands that set up a run: fix hertz/cg gives what the stock pair style gives, or refuses in

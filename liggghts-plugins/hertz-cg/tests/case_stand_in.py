@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """Fix hertz/cg in the place of the pair style: it comes and goes with the fix, and restart files know nothing
 of it."""

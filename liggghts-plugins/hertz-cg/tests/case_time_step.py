@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The time-step report of fix hertz/cg: against the stock `fix check/timestep/gran`, and Table 4 of Weaver &
 Miskovic, Fluids 8 (2023) 215."""
 

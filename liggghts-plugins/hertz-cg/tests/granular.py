@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of fix hertz/cg share: one script text for the stock pair style and the plugin,
 random assemblies, dumps with all digits."""
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """LIGGGHTS from Python: the block of docs/loader.md as it is printed there."""
 

@@ -22,43 +22,39 @@
 namespace grainjet {
 namespace drag {
 
-/* All drag laws with the names by which users select them: as written in an input script
-   of LIGGGHTS and as written in a dictionary of OpenFOAM. A new law is one header beside
-   this one and one line here.                                                        */
+/* All drag laws with the names by which scripts of LIGGGHTS select them. A new law is one
+   header beside this one and one line here. For the coupling, one line more in
+   openfoam-libs/liggghtsCoupling/forces/standardDragLaws.C.                          */
 struct NamedLaw {
-  const char *script;      // gidaspow
-  const char *dictionary;  // Gidaspow
+  const char *name;
   Law law;
 };
 
 constexpr NamedLaw LAWS[] = {
-  {"gidaspow", "Gidaspow", gidaspow},
-  {"wenYu", "WenYu", wenYu},
-  {"ergun", "Ergun", ergun},
-  {"schillerNaumann", "SchillerNaumann", schillerNaumann},
-  {"stokes", "Stokes", stokes},
-  {"diFelice", "DiFelice", diFelice},
-  {"kochHill", "KochHill", kochHill},
-  {"beetstra", "Beetstra", beetstra}
+  {"gidaspow", gidaspow},
+  {"wenYu", wenYu},
+  {"ergun", ergun},
+  {"schillerNaumann", schillerNaumann},
+  {"stokes", stokes},
+  {"diFelice", diFelice},
+  {"kochHill", kochHill},
+  {"beetstra", beetstra}
 };
 
-// the spelling to look up or to list
-typedef const char *NamedLaw::*Spelling;
-
-// The law of that name, or nullptr.  findLaw("Gidaspow", &NamedLaw::dictionary)
-inline Law findLaw(const std::string &name, Spelling spelling)
+// The law of that name, or nullptr
+inline Law findLaw(const std::string &name)
 {
   for (const NamedLaw &entry : LAWS)
-    if (name == entry.*spelling) return entry.law;
+    if (name == entry.name) return entry.law;
   return nullptr;
 }
 
 // "gidaspow, wenYu, ..." for messages and help
-inline std::string lawNames(Spelling spelling)
+inline std::string lawNames()
 {
   std::string names;
   for (const NamedLaw &entry : LAWS)
-    names += (names.empty() ? "" : ", ") + std::string(entry.*spelling);
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
   return names;
 }
 

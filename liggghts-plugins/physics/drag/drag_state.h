@@ -23,9 +23,9 @@ namespace drag {
    diameter is that of the ORIGINAL particle, also for a grain: d = d_grain / f_cg
    (section 2.4). Only the volume V is the grain's.
 
-   A law has both sides of its branches computed, for many grains at once (drag_batch.h):
-   neither may raise a floating-point exception, not even for a value that a choice before it
-   seems to keep away, since compilers compute first and choose later. A test sees to it.  */
+   The coupling computes a law for 16 grains in one loop, in which a compiler may compute both
+   sides of a branch and choose afterwards. So neither side may raise a floating-point
+   exception, whatever the values: OpenFOAM ends the run for one.                        */
 struct State {
   double voidFraction;   // -, fluid volume fraction eps, 0 < eps <= 1
   double slipSpeed;      // m/s, |uf - up| >= 0

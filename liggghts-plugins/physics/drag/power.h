@@ -12,17 +12,17 @@
 namespace grainjet {
 namespace drag {
 
-/* Logarithm of x >= 0 that raises no floating-point exception at 0, where hosts such as
-   OpenFOAM would stop the program: there it is that of 1e-300, -691. Not by a choice: a
-   compiler may take both ways.                                                        */
+/* Logarithm of x >= 0 that raises no floating-point exception at 0, where OpenFOAM would
+   stop the run: there it is that of 1e-300, -691. Without a branch, of
+   which a compiler may compute both sides.                                            */
 inline double safeLog(double x)
 {
   return std::log(x + 1e-300);
 }
 
-/* x^y for x >= 0 as exp(y ln x), which takes less time than std::pow for many grains at
-   once (drag_batch.h). Its relative error is some 1e-16 times 1 + |y ln x|, for Re up to
-   1e6 less than 1e-14. x = 0 gives less than 1e-100 for y > 1/3.                      */
+/* x^y for x >= 0 as exp(y ln x), which raises no exception at 0 either. Its relative error is
+   some 1e-16 times 1 + |y ln x|, for Re up to 1e6 less than 1e-14. x = 0 gives less than
+   1e-100 for y > 1/3.                                                                  */
 inline double power(double x, double y)
 {
   return std::exp(y * safeLog(x));

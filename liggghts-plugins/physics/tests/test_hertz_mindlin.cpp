@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-/* The Hertz-Mindlin law against theory: impacts integrated here, without any host */
+/* The Hertz-Mindlin law against theory: impacts integrated here, without LIGGGHTS */
 
 #include "physics/contact/coarse_graining.h"
 #include "physics/contact/hertz_mindlin.h"

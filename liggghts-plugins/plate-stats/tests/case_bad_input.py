@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix plate/stats: every entry missing, misspelt, twice, of the wrong kind or out of range; a wall, units
 or settings that it cannot work with. One error on every rank, before any step."""
 # processors: 2

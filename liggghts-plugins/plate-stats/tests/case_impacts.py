@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix plate/stats: single impacts against Hertz and the closed form of a sliding impact,
 and streams whose counts are known."""
 # processors: 2

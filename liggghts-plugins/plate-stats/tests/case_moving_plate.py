@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix plate/stats on a wall that moves: speeds, angles and energies against the surface, a plate
 that goes along with its mesh."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """fix plate/stats: collisions that meet a mesh edge, another rank, a restart, the end of the
 run, a deletion or a kill; stats_start; bad input."""
 # processors: 2

@@ -102,13 +102,13 @@ TEST(CollisionStore, RandomLife)
     } else if (event == 4) {
       here.swapBySorting(below(n), below(n));
     } else if (event == 5) {
-      const int i = below(n), traveller = here.names[i];
+      const int i = below(n), moved = here.names[i];
       double buffer[CollisionStore::PACKED];
       const int sent = here.store.pack(i, buffer);
-      const bool colliding = here.colliding.count(traveller);
-      if (colliding) there.colliding[traveller] = here.colliding[traveller];
+      const bool colliding = here.colliding.count(moved);
+      if (colliding) there.colliding[moved] = here.colliding[moved];
       here.remove(i);
-      there.names.push_back(traveller);
+      there.names.push_back(moved);
       ASSERT_EQ(there.store.unpack(static_cast<int>(there.names.size()) - 1, buffer), sent);
       ASSERT_EQ(sent, colliding ? CollisionStore::PACKED : 1);
     }

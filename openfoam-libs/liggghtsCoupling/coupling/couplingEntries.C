@@ -36,7 +36,7 @@ const entryTable& ofTheCoupling()
         {"momentum", valueType::WORD},
         {"turbulenceSources", valueType::WORD},
         {"ChenWoodCoeffs", valueType::DICTIONARY},
-        {"fluid", valueType::WORD},
+        {"fluid", valueType::ANY},
         {"U", valueType::WORD},
         {"p", valueType::WORD},
         {"log", valueType::FILE}

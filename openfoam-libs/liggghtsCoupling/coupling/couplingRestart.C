@@ -116,7 +116,7 @@ bool Foam::couplingRestart::writeObject
         );
     };
 
-    // The grains get their name when all that belongs to them is there
+    // The file of grains is renamed to its name once all that belongs to it is written
     fileName path
     (
         fileHandler().objectPath(uniform(formerRun::grainsName), word::null)

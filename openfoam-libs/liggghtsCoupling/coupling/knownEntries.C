@@ -91,7 +91,7 @@ void readValue(const dictionary& dict, const word& key, const valueType type)
             const scalar x = dict.get<scalar>(key);
             checkNumber
             (
-                dict, key, x > 1/million && x < million, "positive, from 1e-6 to 1e6"
+                dict, key, x > 1e-15 && x < million, "positive, from 1e-15 to 1e6"
             );
             break;
         }
@@ -131,7 +131,16 @@ void Foam::knownEntries::check(const dictionary& dict, const table& known)
                 << (known.empty() ? "It takes none" : "Valid: ")
                 << flatOutput(known.sortedToc()) << exit(FatalIOError);
         }
-        readValue(dict, e.keyword(), *type);
+        readValue(dict, e.keyword(), (*type).type);
+    }
+    for (const word& key : known.sortedToc())
+    {
+        if (known[key].needed == REQUIRED && !dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << key << " is missing in " << dict.dictName() << ". Valid: "
+                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "carrierFluid.H"
+#include "couplingEntries.H"
 #include "fvcGrad.H"
 #include "turbulenceModel.H"
 
@@ -17,17 +18,47 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// The entries of the fluid's own dictionary; the short form has none
+Foam::dictionary coefficients(const Foam::dictionary& dict)
+{
+    if (dict.isDict("fluid"))
+    {
+        return dict.subDict("fluid");
+    }
+    Foam::dictionary none;
+    none.name() = dict.name();
+    return none;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::carrierFluid::carrierFluid(const dictionary& dict, const fvMesh& mesh)
+Foam::carrierFluid::carrierFluid
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const knownEntries::table& entries
+)
 :
     g_(Zero),
     hasGravity_(false),
     mesh_(mesh),
     dict_(dict),
+    coeffs_(coefficients(dict)),
     UName_(dict.lookupOrDefault<word>("U", "U")),
     pName_(dict.lookupOrDefault<word>("p", "p"))
-{}
+{
+    knownEntries::table known(entries);
+    known.insert("model", knownEntries::valueType::WORD);
+    knownEntries::checkOnMaster(coeffs_, known);
+}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
@@ -38,16 +69,26 @@ Foam::autoPtr<Foam::carrierFluid> Foam::carrierFluid::New
     const fvMesh& mesh
 )
 {
-    const word kind(dict.lookupOrDefault<word>("fluid", "incompressible"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(kind);
-
-    if (!cstrIter.found())
+    word kind;
+    const auto read = [&]()
     {
-        FatalIOErrorInLookup(dict, "fluid", kind, *dictionaryConstructorTablePtr_)
-            << exit(FatalIOError);
-    }
-    return autoPtr<carrierFluid>(cstrIter()(dict, mesh));
+        kind =
+            dict.isDict("fluid")
+          ? dict.subDict("fluid").get<word>("model")
+          : dict.lookupOrDefault<word>("fluid", "incompressible");
+
+        if (!dictionaryConstructorTablePtr_->found(kind))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown fluid " << kind << "\n\nValid fluids: "
+                << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+                << exit(FatalIOError);
+        }
+    };
+    couplingEntries::onMaster(read);
+    read();
+
+    return autoPtr<carrierFluid>((*dictionaryConstructorTablePtr_)[kind](dict, mesh));
 }
 
 

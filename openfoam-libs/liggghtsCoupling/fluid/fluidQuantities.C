@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidQuantities.H"
+#include "couplingEntries.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -96,12 +97,18 @@ Foam::label Foam::fluidQuantities::need
     quantities_.append(fluidQuantity::New(name, fluid_, model, dict));
 
     const string missing(quantities_.last().missing());
-    if (!missing.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "The model " << model << " needs " << name << " of the fluid, but "
-            << missing.c_str() << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!missing.empty())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The model " << model << " needs " << name << " of the fluid, but "
+                    << missing.c_str() << exit(FatalIOError);
+            }
+        }
+    );
     return names_.size() - 1;
 }
 

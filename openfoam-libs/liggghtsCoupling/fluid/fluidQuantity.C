@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidQuantity.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -35,14 +36,20 @@ Foam::autoPtr<Foam::fluidQuantity> Foam::fluidQuantity::New
 {
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "The model " << model << " asks for the fluid quantity " << name
-            << ", which is not known. Valid: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-            << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!cstrIter.found())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The model " << model << " asks for the fluid quantity " << name
+                    << ", which is not known. Valid: "
+                    << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+                    << exit(FatalIOError);
+            }
+        }
+    );
     return autoPtr<fluidQuantity>(cstrIter()(fluid));
 }
 

@@ -49,7 +49,7 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
     ),
     dt_(0)
 {
-    // What a former run has left is owed like the rest of a step of this one
+    // The debt of a former run is paid like that of a step of this one
     forAll(owed_, celli)
     {
         if (owed_[celli] != vector::zero)
@@ -128,7 +128,7 @@ void Foam::implicitMomentum::set
         );
     }
 
-    // Grains may have left a cell that is owed their momentum
+    // Cells with a debt that hold no grain any more
     for (const label celli : before)
     {
         if (number_[celli] < 0 && owed_[celli] != vector::zero)

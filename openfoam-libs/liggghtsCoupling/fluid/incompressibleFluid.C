@@ -173,7 +173,7 @@ const Foam::fvMesh& Foam::incompressibleFluid::checkedMesh() const
             << exit(FatalIOError);
     }
 
-    // Local or no time steps: grains would live in another time than the fluid
+    // Local or no time steps: cells would have other times than the grains
     const dictionary& schemes = mesh_.schemesDict().subOrEmptyDict("ddtSchemes");
     for (const word& key : {word("ddt(" + UName_ + ')'), word("default")})
     {
@@ -242,10 +242,11 @@ void Foam::incompressibleFluid::checkField
 Foam::incompressibleFluid::incompressibleFluid
 (
     const dictionary& dict,
-    const fvMesh& mesh
+    const fvMesh& mesh,
+    const knownEntries::table& entries
 )
 :
-    carrierFluid(dict, mesh),
+    carrierFluid(dict, mesh, entries),
     rhoValue_(readDensity(checkedMesh())),
     rho_
     (

@@ -87,6 +87,8 @@ string noTurbulence(const carrierFluid& fluid, const char* name)
         !fluid.model() ? string("the solver has no turbulence model")
       : fluid.mesh().foundObject<volScalarField>(name)
       ? string()
+      : fluid.model()->get<word>("simulationType") == "laminar"
+      ? string("the flow is laminar (constant/turbulenceProperties)")
       : "the turbulence model " + fluid.model()->type() + " has no field " + name;
 }
 

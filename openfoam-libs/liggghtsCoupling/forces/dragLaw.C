@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dragLaw.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -33,18 +34,23 @@ Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New
     forceNeeds& needs
 )
 {
-    const word name(dict.lookupOrDefault<word>("model", "Gidaspow"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
-
-    if (!cstrIter.found())
+    word name;
+    const auto read = [&]()
     {
-        FatalIOErrorInFunction(dict)
-            << "Unknown drag " << name << "\n\nValid drag laws: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-            << exit(FatalIOError);
-    }
-    return autoPtr<dragLaw>(cstrIter()(dict, needs));
+        name = dict.lookupOrDefault<word>("model", "Gidaspow");
+        if (!dictionaryConstructorTablePtr_->found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown drag " << name << "\n\nValid drag laws: "
+                << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+                << "\nA library with laws of your own must stand in libs of"
+                << " system/controlDict" << exit(FatalIOError);
+        }
+    };
+    couplingEntries::onMaster(read);
+    read();
+
+    return autoPtr<dragLaw>((*dictionaryConstructorTablePtr_)[name](dict, needs));
 }
 
 

@@ -5,6 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "forceNeeds.H"
+#include "couplingEntries.H"
+
+#include <cctype>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -33,15 +37,46 @@ Foam::label Foam::forceNeeds::quantity(const word& name)
 Foam::label Foam::forceNeeds::state(const word& name, const scalarList& initial)
 {
     const std::string full(model_ + '_' + name);
+    const char* wrong = nullptr;
+
     for (const liggghtsSession::requests::state& other : requests_.states)
     {
         if (other.name == full)
         {
-            FatalErrorInFunction
-                << "The model " << model_ << " asks for the state " << name << " twice"
-                << exit(FatalError);
+            wrong = "twice. Give each state of a model a name of its own";
         }
     }
+    for (const char c : name)
+    {
+        if (!std::isalnum(static_cast<unsigned char>(c)))
+        {
+            wrong = "whose name has other characters than letters and digits";
+        }
+    }
+    if (name.empty() || initial.empty())
+    {
+        wrong = "without a name, or without numbers";
+    }
+    for (const scalar x : initial)
+    {
+        if (!std::isfinite(x))
+        {
+            wrong = "of which an initial value is not finite";
+        }
+    }
+
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (wrong)
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "The model " << model_ << " asks for the state " << name << ' '
+                    << wrong << exit(FatalIOError);
+            }
+        }
+    );
     requests_.states.push_back
     (
         liggghtsSession::requests::state

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainForce.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -54,16 +55,20 @@ Foam::autoPtr<Foam::grainForce> Foam::grainForce::New
 {
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "forces",
-            name,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!cstrIter.found())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown force " << name << "\n\nValid forces: "
+                    << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+                    << "\nA library with models of your own must stand in libs of"
+                    << " system/controlDict" << exit(FatalIOError);
+            }
+        }
+    );
 
     needs.begin(name, dict);
     return autoPtr<grainForce>(cstrIter()(dict, needs));

@@ -8,6 +8,9 @@
 #include "cellSampler.H"
 #include "couplingEntries.H"
 
+#include <algorithm>
+#include <limits>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::Tuple2<Foam::word, Foam::dictionary>>
@@ -94,6 +97,7 @@ void Foam::grainForces::fill
         batch.radius[i] = grain.radius;
         batch.mass[i] = grain.mass;
         batch.volume[i] = grain.volume();
+        batch.particles[i] = pow3(grain.cg);
         batch.particleDiameter[i] = grain.particleDiameter();
         batch.id[i] = grain.id;
         batch.cell[i] = grain.cell;
@@ -119,6 +123,51 @@ void Foam::grainForces::fill
 }
 
 
+void Foam::grainForces::checkRequested(const grainBatch& batch) const
+{
+    const liggghtsSession::requests& requested = requests();
+    const auto anyIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] != 0);
+        }
+        return any;
+    };
+    const auto anyInVector = [&](const grainBatch::lane* lanes)
+    {
+        return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
+    };
+
+    const char* unasked = nullptr;
+    if
+    (
+        !requested.nonReacting
+     && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
+    )
+    {
+        unasked = "forces without reaction, but has not called forceNeeds::nonReacting()";
+    }
+    if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
+    {
+        unasked = "torque, but has not called forceNeeds::torque()";
+    }
+
+    if (unasked)
+    {
+        wordList names;
+        for (const grainForce& force : forces_)
+        {
+            names.append(force.type());
+        }
+        FatalErrorInFunction
+            << "One of the models " << flatOutput(names) << " adds " << unasked
+            << " in its constructor" << exit(FatalError);
+    }
+}
+
+
 void Foam::grainForces::setAction
 (
     grainBatch& batch,
@@ -127,25 +176,20 @@ void Foam::grainForces::setAction
     const label g
 ) const
 {
-    const auto at = [i](const grainBatch::lane* lanes)
-    {
-        return vector(lanes[0][i], lanes[1][i], lanes[2][i]);
-    };
-
     fluidAction action;
-    action.velocity = at(batch.fluidVelocity);
+    action.velocity = grainBatch::get(batch.fluidVelocity, i);
     action.dragCoefficient = batch.Sp[i];
-    action.force = at(batch.Su);
+    action.force = grainBatch::get(batch.Su, i);
     if (requests().nonReacting)
     {
         action.nonReactingCoefficient = batch.nonReactingSp[i];
-        action.nonReactingForce = at(batch.nonReactingSu);
+        action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
     }
     if (requests().torque)
     {
-        action.spin = at(batch.fluidSpin);
+        action.spin = grainBatch::get(batch.fluidSpin, i);
         action.spinCoefficient = batch.spinCoefficient[i];
-        action.torque = at(batch.torque);
+        action.torque = grainBatch::get(batch.torque, i);
     }
     grains.set(g, action);
 
@@ -182,6 +226,7 @@ Foam::grainForces::grainForces
     needs_.begin("coupling", dict);
     U_ = needs_.quantity("U");
 
+    couplingEntries::onMaster([&](){ readModels(dict); });
     for (const Tuple2<word, dictionary>& model : readModels(dict))
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
@@ -227,6 +272,14 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    if (!requests().spin)
+    {
+        // A model that reads it without asking for it gets no number, which fix fluid/force refuses
+        for (grainBatch::lane& spin : batch.spin)
+        {
+            std::fill_n(spin.values, grainBatch::size, std::numeric_limits<scalar>::quiet_NaN());
+        }
+    }
     for (label first = 0; first < n; first += grainBatch::size)
     {
         fill(batch, grains, first);
@@ -243,6 +296,7 @@ Foam::scalar Foam::grainForces::act
         {
             force.add(batch);
         }
+        checkRequested(batch);
 
         for (label i = 0; i < batch.n; ++i)
         {
@@ -253,12 +307,10 @@ Foam::scalar Foam::grainForces::act
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
             };
 
-            vector slip;
-            for (direction k = 0; k < 3; ++k)
-            {
-                slip[k] = batch.fluidVelocity[k][i] - batch.velocity[k][i];
-            }
-            slipSum += mag(slip);
+            slipSum += mag
+            (
+                grainBatch::get(batch.fluidVelocity, i) - grainBatch::get(batch.velocity, i)
+            );
         }
     }
     grains.send();

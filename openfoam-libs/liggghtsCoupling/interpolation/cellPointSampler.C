@@ -65,12 +65,11 @@ Foam::cellPointSampler::weights Foam::cellPointSampler::search
 ) const
 {
     weights result;
-    // On a face, but outside of this cell by a few digits, extrapolation would depend on the
-    // tetrahedron that is found first
-    const cellPointWeight cpw
-    (
-        mesh_, locator_.drawnIn(p, celli), celli
-    );
+    if (locator_.tets().weigh(p, celli, result.w, result.points))
+    {
+        return result;
+    }
+    const cellPointWeight cpw(mesh_, p, celli);
     for (direction k = 0; k < 4; ++k)
     {
         result.w[k] = cpw.weights()[k];
@@ -94,7 +93,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
     values_(mesh_)
 {
     const faceList& faces = mesh_.faces();
-    const labelList& bases = mesh_.tetBasePtIs();
+    const labelList& bases = locator_.tets().bases();
 
     forAll(mesh_.cells(), celli)
     {
@@ -103,7 +102,7 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
         {
             const label facei = cellFaces[i];
             const face& f = faces[facei];
-            const label base = max(bases[facei], 0);
+            const label base = bases[facei];
 
             FixedList<label, 4>& corners =
                 corners_[locator.block(celli)->firstFace + i];
@@ -187,9 +186,8 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
                     sum[k] =
                         at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
                 }
-                // The last ones of a row may be no lane
-                const label last = min(n, nLanes - first);
-                for (label k = 0; k < last; ++k)
+                // The last ones of a row may be no lane: there is room for them
+                for (label k = 0; k < n; ++k)
                 {
                     lanes[first + k][i] = sum[k];
                 }

@@ -5,14 +5,17 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledPoints.H"
-#include "coincidentPoints.H"
 #include "Pstream.H"
 
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupledPoints::coupledPoints(const polyMesh& mesh)
+Foam::coupledPoints::coupledPoints
+(
+    const polyMesh& mesh,
+    const coincidentPoints::identity by
+)
 :
     members_(),
     firstMember_(),
@@ -22,7 +25,7 @@ Foam::coupledPoints::coupledPoints(const polyMesh& mesh)
 {
     typedef coincidentPoints::rankPoint rankPoint;
     const label me = Pstream::myProcNo();
-    const coincidentPoints same(mesh, coincidentPoints::identity::number);
+    const coincidentPoints same(mesh, by);
 
     // Where values from a rank begin is known once all of them are counted
     DynamicList<rankPoint> arriving;

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pointValues.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "pointConstraints.H"
@@ -92,6 +93,7 @@ void Foam::pointValues::makeWeights()
     }
     firstPart_.last() = parts.size();
     coupled_.sum(sum.data(), 1);
+    unmatched_.add(sum.data(), 1);
 
     forAll(points, pointi)
     {
@@ -265,17 +267,23 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
     width_(0),
     matching_(true),
     coupled_(mesh),
+    unmatched_(mesh),
     constrained_(false)
 {
-    // By type, since a cyclicAMI patch does not call itself coupled. Of patches that constrain,
-    // empty ones do not touch vectors at points
+    // Sides that are rotated are left to OpenFOAM, and those of other kinds. By type, since a cyclicAMI
+    // patch does not call itself coupled. Of patches that constrain, empty ones do not touch vectors
+    // at points
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<coupledPolyPatch>(patch))
         {
             matching_ =
                 matching_
-             && (isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch))
+             && (
+                    isA<processorPolyPatch>(patch)
+                 || isA<cyclicPolyPatch>(patch)
+                 || patch.type() == cyclicAMIPolyPatch::typeName
+                )
              && refCast<const coupledPolyPatch>(patch).parallel();
         }
         else if (polyPatch::constraintType(patch.type()))
@@ -336,6 +344,7 @@ void Foam::pointValues::update(const sampledFields& fields)
         [&](const auto n, const label first) { sumPoints<n>(first); }
     );
     coupled_.sum(points_.data(), width_);
+    unmatched_.add(points_.data(), width_);
     if (constrained_)
     {
         constrain(fields);

@@ -111,7 +111,8 @@ Foam::cellLocator::cellLocator(const polyMesh& mesh)
 Foam::scalar Foam::cellLocator::marginOf(const label celli) const
 {
     const point& centre = mesh_.cellCentres()[celli];
-    scalar warp = 0;
+    const labelList points(mesh_.cells()[celli].labels(mesh_.faces()));
+    scalar off = 0;
     scalar nearest = GREAT;
     scalar radius = 0;
     for (const label facei : mesh_.cells()[celli])
@@ -129,13 +130,20 @@ Foam::scalar Foam::cellLocator::marginOf(const label celli) const
         for (const label pointi : mesh_.faces()[facei])
         {
             const point& p = mesh_.points()[pointi];
-            warp = max(warp, mag(normal & (p - faceCentre))/h);
+            off = max(off, mag(normal & (p - faceCentre))/h);
             radius = max(radius, mag(p - centre));
+        }
+
+        // Where a cell is not convex it has points beyond planes
+        const vector outward((owned ? 1/h : -1/h)*normal);
+        for (const label pointi : points)
+        {
+            off = max(off, outward & (mesh_.points()[pointi] - faceCentre));
         }
     }
 
     // Three products and their sum in single precision are good to 3e-7 of the terms
-    return 4e-6 + warp + 4e-7*radius/nearest;
+    return 4e-6 + off + 4e-7*radius/nearest;
 }
 
 
@@ -185,10 +193,18 @@ Foam::cellLocator::place Foam::cellLocator::settle
     {
         return placeIn(holder, holder == celli ? seen : look(p, holder));
     }
-    next =
-        holder < -1 ? holder - nBehind_
-      : seen.least >= 0 ? -1
-      : seen.behind != -1 ? seen.behind : aroundBoundary(p, celli);
+    next = -1;
+    if (holder < -1)
+    {
+        next = holder - nBehind_;
+    }
+    else if (seen.least < 0)
+    {
+        // Planes may point the wrong way where the cell is not convex
+        const label face = tets_.faceTowards(p, celli);
+        next = face < 0 ? seen.behind : block(celli)[face/nLanes].behind[face % nLanes];
+        next = next != -1 ? next : aroundBoundary(p, celli);
+    }
     return place{-1, 0, -1};
 }
 

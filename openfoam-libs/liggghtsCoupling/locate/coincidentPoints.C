@@ -270,12 +270,18 @@ Foam::coincidentPoints::coincidentPoints(const polyMesh& mesh, const identity by
          && Pstream::parRun();
     }
 
+    const bool throughPatches =
+        by != identity::cut || (Pstream::parRun() && !known);
+
     // Each point begins with a key of its own; those that are one agree on the smallest
     labelList keys(globalIndex(mesh.nPoints()).toGlobal(Foam::identity(mesh.nPoints())));
     bool changed = true;
     while (changed)
     {
-        syncTools::syncPointList(mesh, keys, minEqOp<label>(), labelMax);
+        if (throughPatches)
+        {
+            syncTools::syncPointList(mesh, keys, minEqOp<label>(), labelMax);
+        }
         changed = known && mergeKeys(mesh, points, numbers, keys);
     }
     collect(mesh, points, keys);

@@ -5,35 +5,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetCells.H"
-#include "HashSet.H"
-#include "labelPairHashes.H"
-#include "swapLists.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace
-{
-
-// What a rank is told: a cell of another one touches this point of its mesh
-struct touchingCell
-{
-    label point;
-    label cell;
-};
-
-} // End anonymous namespace
-
-template<> struct is_contiguous<touchingCell> : std::true_type {};
-template<> struct is_contiguous<tetCells::neighbourCell> : std::true_type {};
-
-} // End namespace Foam
-
+#include "tetBases.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::tetCells::view::consider
+bool Foam::tetCells::view::consider
 (
     const vector& a,
     const vector& b,
@@ -46,7 +22,7 @@ void Foam::tetCells::view::consider
     const scalar volume = a & bc;
     if (volume <= 0)
     {
-        return;
+        return false;
     }
 
     const scalar wa = (toPoint & bc)/volume;
@@ -55,38 +31,23 @@ void Foam::tetCells::view::consider
     const scalar sum = mag(wa) + mag(wb) + mag(wc);
     if (min(wa, min(wb, wc)) < -1e-9*sum)
     {
-        return;
+        return false;
     }
 
     // Seen from the centre through the triangle; triangles side by side show the same on their
     // common edge
     const scalar h = volume/(mag((b - a) ^ (c - a)) + VSMALL);
     const scalar d = (1 - wa - wb - wc)*h;
-    if (d > depth)
+    if (d <= depth)
     {
-        depth = d;
-        height = h;
+        return false;
     }
-}
-
-
-template<class Visit>
-void Foam::tetCells::triangles
-(
-    const label celli,
-    const label facei,
-    const Visit& visit
-) const
-{
-    const face& f = mesh_.faces()[facei];
-    const label base = max(mesh_.tetBasePtIs()[facei], 0);
-    const bool owned = mesh_.faceOwner()[facei] == celli;
-    for (label k = 1; k + 1 < f.size(); ++k)
-    {
-        const label b = f[(base + k)%f.size()];
-        const label c = f[(base + k + 1)%f.size()];
-        visit(f[base], owned ? b : c, owned ? c : b);
-    }
+    depth = d;
+    height = h;
+    weights[0] = wa;
+    weights[1] = wb;
+    weights[2] = wc;
+    return true;
 }
 
 
@@ -100,20 +61,25 @@ inline void Foam::tetCells::lookAt
 {
     const pointField& points = mesh_.points();
     const point& centre = mesh_.cellCentres()[celli];
-    const scalar before = seen.depth;
     triangles
     (
         celli,
         facei,
         [&](const label a, const label b, const label c)
         {
-            seen.consider
+            const bool isNew = seen.consider
             (
                 points[a] - centre, points[b] - centre, points[c] - centre, toPoint
             );
+            if (isNew)
+            {
+                seen.face = facei;
+                seen.points[0] = a;
+                seen.points[1] = b;
+                seen.points[2] = c;
+            }
         }
     );
-    seen.face = (seen.depth > before ? facei : seen.face);
 }
 
 
@@ -205,116 +171,49 @@ bool Foam::tetCells::lower(const vector& a, const vector& b)
 }
 
 
-void Foam::tetCells::introduce(const coincidentPoints& same)
-{
-    const label me = Pstream::myProcNo();
-    const labelListList& pointCells = mesh_.pointCells();
-
-    List<DynamicList<touchingCell>> touches(Pstream::nProcs());
-    List<DynamicList<neighbourCell>> cells(Pstream::nProcs());
-    List<DynamicList<point>> corners(Pstream::nProcs());
-    HashSet<labelPair, Hash<labelPair>> told;
-
-    const auto tell = [&](const label celli, const label rank, const label pointi)
-    {
-        touches[rank].append(touchingCell{pointi, celli});
-        if (!told.insert(labelPair(rank, celli)))
-        {
-            return;
-        }
-        DynamicList<point>& list = corners[rank];
-        const label first = list.size();
-        for (const label facei : mesh_.cells()[celli])
-        {
-            triangles
-            (
-                celli,
-                facei,
-                [&](const label a, const label b, const label c)
-                {
-                    list.append(mesh_.points()[a]);
-                    list.append(mesh_.points()[b]);
-                    list.append(mesh_.points()[c]);
-                }
-            );
-        }
-        cells[rank].append
-        (
-            neighbourCell
-            {
-                me, celli, mesh_.cellCentres()[celli], first, (list.size() - first)/3
-            }
-        );
-    };
-
-    for (const List<coincidentPoints::rankPoint>& group : same.groups())
-    {
-        for (const coincidentPoints::rankPoint& mine : group)
-        {
-            if (mine.first() != me)
-            {
-                continue;
-            }
-            for (const coincidentPoints::rankPoint& other : group)
-            {
-                for (const label celli : pointCells[mine.second()])
-                {
-                    if (other.first() != me)
-                    {
-                        tell(celli, other.first(), other.second());
-                    }
-                    else if (other.second() != mine.second())
-                    {
-                        beyond_(other.second()).append(celli);
-                    }
-                }
-            }
-        }
-    }
-
-    const List<DynamicList<touchingCell>> touchesHere(swapLists(touches));
-    const List<DynamicList<neighbourCell>> cellsHere(swapLists(cells));
-    const List<DynamicList<point>> cornersHere(swapLists(corners));
-    forAll(cellsHere, proci)
-    {
-        Map<label> number;
-        for (neighbourCell cell : cellsHere[proci])
-        {
-            cell.first += corners_.size();
-            number.insert(cell.cell, -2 - neighbourCells_.size());
-            neighbourCells_.append(cell);
-        }
-        corners_.append(cornersHere[proci]);
-        for (const touchingCell& t : touchesHere[proci])
-        {
-            beyond_(t.point).append(number[t.cell]);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::tetCells::tetCells(const polyMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    bases_(tetBases(mesh))
 {
-    // Built on demand by a call that all ranks must make together
-    (void)mesh.tetBasePtIs();
     introduce(coincidentPoints(mesh, coincidentPoints::identity::place));
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::point Foam::tetCells::drawnIn(const point& p, const label celli) const
+bool Foam::tetCells::weigh
+(
+    const point& p,
+    const label celli,
+    scalar (&weights)[4],
+    label (&points)[3]
+) const
 {
-    const point& centre = mesh_.cellCentres()[celli];
-    const view seen(look(p - centre, celli));
-    const bool outside = (seen.depth < 0 && seen.depth > -GREAT);
-    return
-        outside
-      ? centre + seen.height/(seen.height - seen.depth)*(p - centre) : p;
+    const view seen(look(p - mesh_.cellCentres()[celli], celli));
+    if (seen.face < 0)
+    {
+        return false;
+    }
+    const scalar within =
+        seen.depth < 0 ? seen.height/(seen.height - seen.depth) : 1;
+    weights[0] = 1;
+    for (direction k = 0; k < 3; ++k)
+    {
+        weights[k + 1] = within*seen.weights[k];
+        weights[0] -= weights[k + 1];
+        points[k] = seen.points[k];
+    }
+    return true;
+}
+
+
+Foam::label Foam::tetCells::faceTowards(const point& p, const label celli) const
+{
+    const view seen(look(image_.nearest(p - mesh_.cellCentres()[celli]), celli));
+    return seen.face < 0 ? -1 : mesh_.cells()[celli].find(seen.face);
 }
 
 
@@ -340,7 +239,9 @@ Foam::label Foam::tetCells::holder
     {
         return celli;
     }
+    label touched = celli;
     label here = celli;
+    label before = -1;
     for (label i = 0; i < maxFaces_ && here >= 0; ++i)
     {
         seen = look(toPoint(centres[here]), here);
@@ -348,14 +249,25 @@ Foam::label Foam::tetCells::holder
         {
             return here;
         }
-        here =
+        if (seen.onFace())
+        {
+            touched = here;
+            break;
+        }
+        const label next =
             seen.face >= 0 && mesh_.isInternalFace(seen.face)
           ? mesh_.faceOwner()[seen.face] + mesh_.faceNeighbour()[seen.face] - here
           : -1;
+        if (next == before)
+        {
+            break;
+        }
+        before = here;
+        here = next;
     }
 
     DynamicList<label> cells(64);
-    around(celli, cells);
+    around(touched, cells);
     List<view> views(cells.size());
     List<vector> to(cells.size());
     label deepest = 0;

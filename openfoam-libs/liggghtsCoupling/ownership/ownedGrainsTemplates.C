@@ -45,8 +45,8 @@ void Foam::ownedGrains::locate(const Found& found)
     DynamicList<grainData> sent;
     DynamicList<label> firstRank;
 
-    // Many together, so that memory arrives while others are looked at: first that of the cells
-    // which held grains last, then that of the cells they have entered since
+    // Many together, so that memory is fetched while other grains are looked at: first that of the
+    // cells of the interval before, then that of the cells they have entered since
     const label nTogether = 32;
     grainData grains[nTogether];
     cellLocator::place places[nTogether];
@@ -70,7 +70,7 @@ void Foam::ownedGrains::locate(const Found& found)
             grainData& grain = grains[nFound];
             grain = grainOf(atom);
 
-            // A grain that another rank owned probably still lies there: it asks there first
+            // A grain that another rank owned probably still lies there: that rank is asked first
             const double* owner = exchange_.owner[atom];
             const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
             const bool ownedElsewhere =

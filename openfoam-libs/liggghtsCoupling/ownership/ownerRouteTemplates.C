@@ -65,8 +65,8 @@ Foam::labelList Foam::ownerRoute::establish
         return owner;
     }
 
-    // The rank that is asked in this round; after those that were named
-    // the candidates follow in their order
+    // The rank that is asked in this round: first those that replies name, then the candidates
+    // in their order
     labelList asked(first);
     labelList hops(items.size(), 0);
     labelList lastCandidate(items.size(), -1);
@@ -75,7 +75,7 @@ Foam::labelList Foam::ownerRoute::establish
     const label nProcs = Pstream::nProcs();
     const label me = Pstream::myProcNo();
 
-    // Follow what a rank says about an item; if that is this one, what it finds itself
+    // Follow a reply about an item. If it names this rank, the item is looked for here
     const auto follow = [&](const label i, reply said)
     {
         if (said.rank == me)

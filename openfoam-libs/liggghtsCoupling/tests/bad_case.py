@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of bad input to the coupling share: a box of a few cells that is spoilt again and again."""
 
 import pathlib

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Newton's third law in a liquid, counted without any number of the coupling's own table.
 
 Grains have neither contacts nor walls, so what a grain gains is gravity plus what the fluid gives it.

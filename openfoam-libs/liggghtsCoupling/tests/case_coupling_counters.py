@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Counters of the balance table beyond what 32 bits hold, written by the coupling's own class from a small program."""
 # processors: 2
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A coupled run ends as a run of LIGGGHTS does: each fix gets its post_run, whatever has ended the time loop;
 and what fixes have found is on disk with each restart file."""
 # processors: 2

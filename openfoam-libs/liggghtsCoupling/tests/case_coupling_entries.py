@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Each entry of the coupling's dictionary spoilt in every way: one error that names the entry and
 constant/fvOptions, exit code 1, before the first momentum equation is solved. New entries of the page are covered by themselves."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input to the coupling: one clear error on every rank, exit code not 0, no hang."""
 # processors: 2
 # label: long

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Grains lie where OpenFOAM's file handler keeps its files, and go with them through the
 utilities that take a case apart and put it together."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Solvers, meshes and fluids that grains cannot be coupled to: one error before the first momentum equation is
 solved, which says why and what works, exit code 1."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """LIGGGHTS of another build, and libraries that come before the coupling: errors with words, exit code 1."""
 # processors: 2
 

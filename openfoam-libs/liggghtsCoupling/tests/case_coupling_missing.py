@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a continued run lacks is an error that names file and time, never a fresh start; and so is
 a script that does not continue the grains it is given."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Errors of LIGGGHTS reach the user with the script, its line and the name of the log; bad script and log
 files are refused before LIGGGHTS starts. Exit code 1, never a signal."""
 # processors: 2

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Other solvers, outer correctors, formulations, turbulence sources, many ranks."""
 # processors: 2
 # label: long
@@ -57,9 +60,9 @@ class Solvers(box.CoupledCase):
     def test_set_ii(self):
         """Set II differs from Set I where the force at a grain differs from that of its cell, and by half a DEM
         step: Set I takes the kicks that grains got, of which the first half is due to the interval before. With
-        cell values and grains that lie whole in a cell only that is left, 1/400 of the reaction over 20 steps
-        of 10 DEM steps if the stress is steady; 1/100 is allowed. A model that left the reaction out would
-        differ by all of it."""
+        cell values and grains that lie whole in a cell only that is left: half a DEM step of 200 of what the stress
+        has changed by, 1/400 of the reaction. 1/100 is allowed. A model that left the reaction out would differ by
+        all of it."""
         centre = {**OPTIONS, "voidFraction": "{ model centre; }"}
         one, two, without = (
             dictionaries.internal(self.run_box(0, options={**centre, **more}) / "0.002/U")

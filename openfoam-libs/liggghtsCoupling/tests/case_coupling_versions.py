@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A fix fluid/force or a plugin of another Grainjet beside this coupling: an error, no wrong forces."""
 # processors: 2
 

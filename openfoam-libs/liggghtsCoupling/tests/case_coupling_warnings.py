@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Warnings of LIGGGHTS in the solver's log: each once, with its count at the end, from any rank."""
 # processors: 2
 
@@ -50,13 +53,13 @@ class Warnings(bad_case.BadCase):
         self.assertIn("FOAM Warning : LIGGGHTS: both at step 10\n", output)
 
     def test_in_the_script(self):
-        """The line is told; a warning of the script comes before the first step."""
+        """The line is told; a warning of the script comes before the first momentum equation is solved."""
         folder = self.case("fix a all plugin/warn 0 3 early", end="run 6")
         lines = (folder / "constant/in.particles").read_text().splitlines()
         for ranks in (0, 2):
             result = self.foam("pimpleFoam", folder, ranks, check=False, timeout=60)
             self.assertEqual(result.code, 0, result)
-            before = result.output[:result.output.index("\nTime = ")]
+            before = result.output[:re.search(box.SOLVED, result.output).start()]
             self.assertIn("FOAM Warning : LIGGGHTS: early at step 3", before)
             self.assertIn(f"script constant/in.particles, line {lines.index('run 6') + 1}: run 6", before)
             # twice and at the end of the run of the script, then six times (steps 9 ... 24) and at the end

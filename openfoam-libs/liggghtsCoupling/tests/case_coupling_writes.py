@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writing grains does not touch the run, and a run continues from any write time as if it had not
 stopped: bit for bit, serial and on 2 ranks.
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Forces on grains in flows that are known: Newton's law for the displaced fluid."""
 # label: long
 
@@ -153,8 +156,8 @@ class Forces(grainjet.Case):
 
     def test_buoyancy(self):
         """- V rho g, a vector, the only force of the fluid here; the grain's weight is left to LIGGGHTS. It has no
-        reaction on the fluid: the fluid stays at rest, and the impulse is booked as nonReacting. That is 9.5 of 10
-        DEM steps of it, since the first half kick comes before the fluid's forces."""
+        reaction on the fluid: the fluid stays at rest, and the impulse is booked as nonReacting: a whole
+        fluid step of it, since fix fluid/force applies the first interval's forces before its first half kick."""
         self.prepare(1, drag=None, forces="{ buoyancy {} }")
         script = self.folder / "constant/in.particles"
         script.write_text(script.read_text().replace(
@@ -169,7 +172,7 @@ class Forces(grainjet.Case):
             self.assertAlmostEqual(fy, 0, delta=1e-12 * weight)
             self.assertAlmostEqual(fz, 0.8 * weight, delta=1e-12 * weight)
         balance = box.read_balance(self.folder)
-        impulse = len(grains) * weight * 9.5e-5
+        impulse = len(grains) * weight * 1e-4
         for name, expected in (("x", -0.6 * impulse), ("y", 0), ("z", 0.8 * impulse)):
             # the table has 17 digits
             self.assertAlmostEqual(balance[f"nonReacting_{name}"][0], expected, delta=1e-12 * impulse)

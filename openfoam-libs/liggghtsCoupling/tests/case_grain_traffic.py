@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Grains at the edges: of cells, ranks, mesh and box. Nothing is lost without a word."""
 # processors: 2
 # label: long

@@ -156,9 +156,9 @@ bool Foam::dividedVoidFraction::shareOverFace
         return false;
     }
     const vector fromCentre(locator_.fromCentre(grain.position, here));
-    const cellLocator::lanes inside(here.distance(here.relative(fromCentre)));
+    const cellLocator::lanes relative(here.relative(fromCentre));
 
-    const unsigned reached = inside.atMost(outermost);
+    const unsigned reached = here.sureDistance(relative).atMost(outermost);
     if (!isSingle(reached))
     {
         return false;
@@ -169,7 +169,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     {
         return false;
     }
-    const scalar distance = max(scalar(inside[near]), scalar(0));
+    const scalar distance = max(scalar(here.distance(relative)[near]), scalar(0));
 
     // The sphere must not reach the other faces of the cell behind either
     const cellLocator::faceBlock& there =
@@ -180,7 +180,7 @@ bool Foam::dividedVoidFraction::shareOverFace
     }
     const cellLocator::lanes beyond
     (
-        there.distance
+        there.sureDistance
         (
             there.relative(locator_.fromCentre(grain.position, there))
         )
@@ -199,6 +199,11 @@ bool Foam::dividedVoidFraction::shareOverFace
     (
         distance,
         onPlane*(cmptSum(cmptMag(fromCentre)) + here.h[near] + grain.radius)
+      + max
+        (
+            here.rMargin()*here.h[near],
+            there.rMargin()*there.h[__builtin_ctz(shared)]
+        )
     );
     if (n > 0)
     {
@@ -238,7 +243,7 @@ void Foam::dividedVoidFraction::sharePoints
     {
         const cellLocator::lanes distance
         (
-            faces->distance(faces->relative(fromCentre))
+            faces->sureDistance(faces->relative(fromCentre))
         );
         unsigned reached = distance.atMost(outerShell*grain.radius);
         for (; reached; reached &= reached - 1)

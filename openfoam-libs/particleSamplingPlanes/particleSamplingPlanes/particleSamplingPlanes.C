@@ -1,8 +1,8 @@
-/* ----------------------------------------------------------------------
-   Grainjet: coarse-grained CFD-DEM for particle-laden jets
-   Copyright (C) 2026 The Grainjet developers
-   SPDX-License-Identifier: GPL-3.0-or-later
-------------------------------------------------------------------------- */
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
 
 #include "particleSamplingPlanes.H"
 #include "addToRunTimeSelectionTable.H"
@@ -102,6 +102,9 @@ void Foam::functionObjects::particleSamplingPlanes::begin
 
     if (postProcess)
     {
+        Log << type() << ' ' << name() << ": post-processing has no particles of cloud "
+            << dict.get<word>("cloud") << " at hand. Crossings are counted during"
+            << " a run; the tables stay as they are" << endl;
         return;
     }
 
@@ -278,8 +281,6 @@ bool Foam::functionObjects::particleSamplingPlanes::execute()
 {
     if (postProcess)
     {
-        Log << type() << ' ' << name() << ": nothing to do in post-processing,"
-            << " crossings can only be seen during the run" << endl;
         return true;
     }
 

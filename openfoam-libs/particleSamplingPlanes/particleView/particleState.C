@@ -1,8 +1,8 @@
-/* ----------------------------------------------------------------------
-   Grainjet: coarse-grained CFD-DEM for particle-laden jets
-   Copyright (C) 2026 The Grainjet developers
-   SPDX-License-Identifier: GPL-3.0-or-later
-------------------------------------------------------------------------- */
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
 
 #include "particleState.H"
 #include "UIndirectList.H"

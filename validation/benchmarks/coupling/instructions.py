@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Instructions of the coupling, per grain and fluid step: what other work on the machine does not change.
 
 The case of run.py on one rank, smaller, under valgrind's callgrind:

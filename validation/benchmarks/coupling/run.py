@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the coupling costs: coupled run against fluid alone and grains alone.
 
     overhead = (coupled - fluid - grains)/(fluid + grains)

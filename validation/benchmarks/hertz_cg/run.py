@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Speed of `fix hertz/cg` against the stock pair style, in one run, alternating.
 
     source environment; run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--skin X ...] [--profile]

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Cases with mesh walls, which the fix and the stock pair style run alike: from an empty box in one run, with
 the settings of one script. Meshes are made here; lengths in units of the grain diameter are commented so."""
 

@@ -1,4 +1,7 @@
 #!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What fix plate/stats and fix fluid/force cost, as a share of the DEM step.
 
 50,000 grains of 80 um fly between two walls without loss, so that hundreds touch the plate

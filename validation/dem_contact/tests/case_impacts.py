@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Impacts with closed-form results: Hertz, restitution, and the tests of Chung & Ooi, Granular Matter 13
 (2011) 643, as far as they have one (elastic normal impacts; oblique ones that slide all the time)."""
 

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What Grainjet's tests, benchmarks and programs for tables and pictures share, in Python.
 
     import grainjet                         the basis: Case, run, start, mpirun, ROOT, ENV

@@ -1,4 +1,7 @@
-"""Bad inputs made from a table of entries, for any host.
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad inputs made from a table of entries, for any program.
 
 A test writes down what it knows of each entry (its kind and a good value) and gets the ways to
 spoil it: missing, misspelt, empty, twice, of a wrong type, negative, zero, not a number, huge. A new
@@ -66,7 +69,7 @@ KINDS = {
                ("an empty string", '""'), ("a path", '"a/b"')],
     # yes or no
     "switch": [("another word", "perhaps"), ("a number", "7.5")],
-    # the name of something that the host has, such as a field
+    # the name of something that the program has, such as a field
     "name": [("another name", "noSuchName"), ("a number", "1"), ("two values", "one two")],
     # a file that must exist
     "file": [("not there", '"no/such.file"'), ("with a blank", '"no such file"'), ("a folder", '"."'), ("an empty string", '""')],

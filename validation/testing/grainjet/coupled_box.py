@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A small box of fluid with grains: the case that the tests of the coupling run.
 
 The box is 20 mm x 20 mm x 40 mm, 10 x 10 x 20 cells, periodic in all directions unless

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Files of an OpenFOAM case: written, changed and read as text.
 
 The mesh and the fields here are those of small cases: one block, ascii.

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Copies of the installed LIGGGHTS library that look like other builds of it.
 
 A copy lies in a folder of its own under the name that programs ask for; LD_LIBRARY_PATH brings it

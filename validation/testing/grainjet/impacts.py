@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Single impacts in LIGGGHTS with `fix hertz/cg`: many in one run, far from each other.
 
 A ball moves along x (normal) and y (tangential) and turns about z. It meets an equal free ball, or a

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The pages of docs/: their tables, and what they tell the reader to do.
 
 A block of a page counts if the line before it is one of these comments, which a reader does not see:

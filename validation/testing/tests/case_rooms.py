@@ -1,6 +1,10 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The house rules that can be checked without running anything.
 
-Dependencies run one way, source files stay short and carry the licence, nothing generated is kept.
+Dependencies run one way, source files stay short and begin with a banner of one style, one thing has one name,
+nothing generated is kept.
 """
 
 import os
@@ -13,6 +17,11 @@ import grainjet
 
 SOURCES = {".cpp", ".h", ".C", ".H"}
 LINES = 400                     # longer files hold more than one responsibility
+BANNER = ("Grainjet: coarse-grained CFD-DEM for particle-laden jets",
+          "Copyright (C) 2026 The Grainjet developers",
+          "SPDX-License-Identifier: GPL-3.0-or-later")
+# each has a word of the field: owner, remote, send, receive, add, remove, exchange
+WORDS = re.compile(r"(?i)(?<![a-z])(?:guest|visitor|travel+er|travelling|homeless|admit|doors?(?![a-z])|soon\()")
 INCLUDE = re.compile(r'(?m)^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -46,7 +55,7 @@ class Rooms(unittest.TestCase):
     def assertNone(self, offenders, rule):
         self.assertFalse(offenders, f"{rule}:\n" + "\n".join(offenders))
 
-    def test_physics_knows_no_host(self):
+    def test_physics_includes_only_itself(self):
         """physics/ is shared by both halves: standard headers and its own only."""
         physics = grainjet.ROOT / "liggghts-plugins/physics"
         allowed = re.compile(r"[a-z_]+|gtest/gtest\.h|(float|math|stdint|stddef)\.h")
@@ -65,13 +74,13 @@ class Rooms(unittest.TestCase):
              for name in includes(path) if name.endswith((".H", ".C"))],
             "liggghts-plugins includes OpenFOAM")
 
-    def test_openfoam_libraries_see_liggghts_only_through_doors(self):
+    def test_openfoam_libraries_see_liggghts_only_through_interfaces(self):
         """Physics, the exchange with fix fluid/force and the loader; not a plugin's insides."""
-        doors = re.compile(r"physics/.*|loader/.*|host/.*|fluid-force/fluid_force_exchange\.h")
+        interfaces = re.compile(r"physics/.*|loader/.*|host/.*|fluid-force/fluid_force_exchange\.h")
         rooms = {path.name for path in (grainjet.ROOT / "liggghts-plugins").iterdir() if path.is_dir()}
         self.assertNone(
             [f"{named(path)}: {name}" for path in sources("openfoam-libs") for name in includes(path)
-             if name.split("/")[0] in rooms and not doors.fullmatch(name)],
+             if name.split("/")[0] in rooms and not interfaces.fullmatch(name)],
             "openfoam-libs includes the inside of a plugin")
 
     def test_classes_of_liggghts_are_not_declared_anew(self):
@@ -102,11 +111,33 @@ class Rooms(unittest.TestCase):
              if (count := len(path.read_text().splitlines())) > LINES],
             f"files of more than {LINES} lines")
 
-    def test_licence_in_every_source_file(self):
+    def test_one_banner_per_language(self):
+        """OpenFOAM's in openfoam-libs, that of LAMMPS in liggghts-plugins, comments in scripts and CMake files."""
+        scripts = {".py", ".sh", ".cmake"}
+
+        def expected(path, text):
+            if path.suffix in {".C", ".H"}:
+                return "/*" + 75 * "-" + "*\\\n" + "".join(f"    {line}\n" for line in BANNER)
+            if path.suffix in {".cpp", ".h"}:
+                return "/* " + 70 * "-" + "\n" + "".join(f"   {line}\n" for line in BANNER) + 73 * "-" + " */\n"
+            if path.suffix in scripts or text.startswith("#!") or path.name in ("CMakeLists.txt", "environment"):
+                first = text[:text.index("\n") + 1] if text.startswith("#!") else ""
+                return first + "".join(f"# {line}\n" for line in BANNER)
+            return ""
+
+        texts = [(path, path.read_text(errors="replace")) for path in kept() if path.suffix != ".png"]
+        checked = [(path, text) for path, text in texts if expected(path, text)]
+        self.assertLessEqual({"openfoam-libs", "liggghts-plugins", "cases", "validation"},
+                             {path.relative_to(grainjet.ROOT).parts[0] for path, _ in checked})
+        self.assertNone([named(path) for path, text in checked if not text.startswith(expected(path, text))],
+                        "another banner, or none")
+
+    def test_one_name_for_one_thing(self):
         self.assertNone(
-            [named(path) for path in sources()
-             if "SPDX-License-Identifier: GPL-3.0-or-later" not in "\n".join(path.read_text().splitlines()[:12])],
-            "no licence in the first lines")
+            [f"{named(path)}: {line.strip()}" for path in kept()
+             if path.suffix in SOURCES | {".py", ".md", ".sh"} and path != pathlib.Path(__file__).resolve()
+             for line in path.read_text().splitlines() if WORDS.search(line)],
+            "words that the project does not use")
 
     def test_tests_share_by_the_package_and_wait_for_conditions(self):
         """What several test folders need is in the package grainjet; no test imports another one."""
