@@ -11,7 +11,6 @@ import re
 import shutil
 import unittest
 
-import grainjet
 from grainjet import coupled_box as box, dictionaries, dumps, scripts
 import meshes
 
@@ -25,8 +24,7 @@ FIELDS = {
 }
 
 
-class MeshesRuns(grainjet.Case):
-
+class MeshesRuns(box.CoupledCase):
 
     def prepare(self, name):
         """A case on a mesh, with 300 grains that fly in all directions up to a quarter of a cell's width in a step."""
