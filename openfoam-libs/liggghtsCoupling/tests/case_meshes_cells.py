@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """On meshes that users have, the coupling finds the cells and makes the values that OpenFOAM itself does."""
 # processors: 2
 # label: long
@@ -5,12 +8,10 @@
 import pathlib
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
+from grainjet import coupled_box as box
 import meshes
 
 

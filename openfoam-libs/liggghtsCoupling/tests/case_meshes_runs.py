@@ -1,19 +1,17 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Coupled runs on meshes that users have: the same on any number of ranks, the balance closes."""
 # processors: 4
 # label: long
 
 import math
-import pathlib
 import random
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import case_coupling
-import coupled_box as box
-import grainjet
+from grainjet import coupled_box as box, dictionaries, dumps, scripts
 import meshes
 
 STEPS = 4
@@ -26,9 +24,7 @@ FIELDS = {
 }
 
 
-class MeshesRuns(grainjet.Case):
-
-    compare = case_coupling.Coupling.compare
+class MeshesRuns(box.CoupledCase):
 
     def prepare(self, name):
         """A case on a mesh, with 300 grains that fly in all directions up to a quarter of a cell's width in a step."""
@@ -60,7 +56,7 @@ class MeshesRuns(grainjet.Case):
         box.script(folder, grains=box.grains(places, self.velocities, DIAMETER, DENSITY),
                    box=f"-0.01 0.03 -0.01 0.03 {'-0.01 0.05' if name != 'unmatched' else '0 0.04'}",
                    boundary="f f f" if name != "unmatched" else "f f p",
-                   end=case_coupling.DUMP.format(every=10 * STEPS))
+                   end=scripts.dump(10 * STEPS, "grains.dump", box.MOTION))
         box.fv_options(folder)
         return folder
 
@@ -95,7 +91,7 @@ class MeshesRuns(grainjet.Case):
             balance = box.read_balance(folder)
             self.assertLess(max(balance["imbalance"]), 1e-10)
             self.assertEqual(set(balance["unaccounted"]), {0})
-            after = box.read_dump(folder / "grains.dump")
+            after = dumps.last(folder / "grains.dump")
             self.assertEqual(len(after), 300)
             amounts = sum(math.hypot(*given) for given in zip(*(balance[f"toGrains_{c}"] for c in "xyz")))
             self.assertGreater(amounts, 0)
@@ -104,8 +100,8 @@ class MeshesRuns(grainjet.Case):
                 self.assertAlmostEqual(sum(balance[f"toGrains_{c}"]), change, delta=1e-9 * amounts)
 
         meshes.program(serial, "postProcess", "-func", "writeCellVolumes", "-time", time)
-        volumes = box.read_internal(serial / time / "V")
-        eps = box.read_internal(serial / time / "voidFraction")
+        volumes = dictionaries.internal(serial / time / "V")
+        eps = dictionaries.internal(serial / time / "voidFraction")
         balance = box.read_balance(serial)
         solid = math.fsum((1 - e) * v for e, v in zip(eps, volumes)) + balance["volumeCut"][-1]
         expected = (300 - balance["outsideMesh"][-1]) * math.pi / 6 * DIAMETER ** 3

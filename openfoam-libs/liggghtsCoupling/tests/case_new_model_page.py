@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """docs/new_model.md shows the library in tests/userModels as it is."""
 
 import pathlib

@@ -1,15 +1,15 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Utilities on a coupled case: they make its options, but run no grain and write nothing of a run."""
 # processors: 2
 
 import hashlib
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import coupled_box as box
 import grainjet
-from case_coupling import swarm
+from grainjet import coupled_box as box
+from grainjet.coupled_box import swarm
 
 FUNCTIONS = """
     profiles

@@ -1,3 +1,6 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes that users have: each function makes one in the folder of a case that coupled_box has written.
 
 All fill (part of) the box of 20 mm x 20 mm x 40 mm with cells of about 2 mm, so that grains of one kind serve
@@ -8,8 +11,8 @@ import math
 import random
 import re
 
-import coupled_box as box
 import grainjet
+from grainjet import dictionaries
 
 SIZE = (0.02, 0.02, 0.04)
 AXIS = 0.01     # x and y of the axis of pipes
@@ -94,7 +97,7 @@ def program(folder, *command):
 
 def put(path, text, kind="dictionary"):
     """Write a file with its header."""
-    path.write_text(box.HEADER.format(kind, path.name) + text)
+    dictionaries.write(path, text, kind)
 
 
 def write_mesh(folder, points, cells, patch_of):

@@ -48,6 +48,10 @@ const scalar outerShell = shellRadius(15, 29);
 const scalar onPlane = 2e-6;
 
 
+// With a margin of r below this a cell's faces are as good as flat
+const float flatMargin = 1e-4f;
+
+
 const Foam::label nDirections = 7;
 
 // Half of the directions of a shell's points; the others are opposite to them
@@ -228,8 +232,8 @@ void Foam::dividedVoidFraction::sharePoints
     grainShares& shares
 ) const
 {
-    // Only the faces that the sphere may reach decide which points stay. Of each point the
-    // distance inside of the nearest one, and what is behind that
+    // Only the faces that the sphere may reach decide which points stay: those on the side of the
+    // centre. Of each point the distance from the nearest face, and what is behind that
     scalar room[nParts];
     label behind[nParts];
     std::fill(room, room + nParts, VGREAT);
@@ -239,6 +243,28 @@ void Foam::dividedVoidFraction::sharePoints
     const vector fromCentre(locator_.fromCentre(grain.position, *faces));
     const scalar uncertain =
         2*onPlane*(cmptSum(cmptMag(fromCentre)) + grain.radius);
+    const auto side = [&](const scalar distance, const vector& outward, const label next)
+    {
+        const reach towards(outward, grain.radius);
+        label i = 1;
+        for (const scalar shell : {innerShell, outerShell})
+        {
+            for (const scalar along : towards.along)
+            {
+                for (const scalar far : {shell*along, -shell*along})
+                {
+                    if (distance - far < room[i])
+                    {
+                        room[i] = distance - far;
+                        behind[i] = next;
+                    }
+                    ++i;
+                }
+            }
+        }
+    };
+
+    const bool flat = faces->rMargin() < flatMargin;
     for (label f = 0, n = faces->nFaces; f < n; f += cellLocator::nLanes, ++faces)
     {
         const cellLocator::lanes distance
@@ -249,23 +275,38 @@ void Foam::dividedVoidFraction::sharePoints
         for (; reached; reached &= reached - 1)
         {
             const label lane = __builtin_ctz(reached);
-            const reach outward(faces->normal(lane), grain.radius);
-            label i = 1;
-            for (const scalar shell : {innerShell, outerShell})
+            const label next = faces->behind[lane];
+            if (flat)
             {
-                for (const scalar along : outward.along)
+                side(distance[lane], faces->normal(lane), next);
+                continue;
+            }
+
+            // Which side of a warped face a point lies on tell its triangles
+            locator_.tets().triangles
+            (
+                grain.cell,
+                locator_.mesh().cells()[grain.cell][f + lane],
+                [&](const label a, const label b, const label c)
                 {
-                    for (const scalar far : {shell*along, -shell*along})
+                    const pointField& points = locator_.mesh().points();
+                    vector normal
+                    (
+                        (points[b] - points[a]) ^ (points[c] - points[a])
+                    );
+                    normal /= mag(normal) + VSMALL;
+                    const scalar beyond =
+                        normal & (grain.position - points[a]);
+                    if (beyond < uncertain && beyond > -outerShell*grain.radius - uncertain)
                     {
-                        if (distance[lane] - far < room[i])
-                        {
-                            room[i] = distance[lane] - far;
-                            behind[i] = faces->behind[lane];
-                        }
-                        ++i;
+                        side(max(-beyond, scalar(0)), normal, next);
+                    }
+                    if (beyond > -uncertain && beyond < outerShell*grain.radius + uncertain)
+                    {
+                        side(max(beyond, scalar(0)), -normal, next);
                     }
                 }
-            }
+            );
         }
     }
 
