@@ -16,7 +16,7 @@ LIBRARIES = 3
 class Labels(grainjet.Case):
 
     def test_64_bits(self):
-        result = grainjet.run([CHECK, "openfoam", "--label", "64"], self.folder)
+        result = grainjet.run([CHECK, "openfoam", "--label", "64"], self.folder, timeout=850)
         self.assertEqual(result.code, 0, result)
 
     def test_single_precision(self):
