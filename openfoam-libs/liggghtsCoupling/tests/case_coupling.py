@@ -41,8 +41,8 @@ class Coupling(box.CoupledCase):
         self.compare(serial, parallel, "0.002", 1e-11)
 
     def test_decompositions_that_do_not_match(self):
-        """LIGGGHTS is cut in z, the fluid in x: half of the grains live on the other rank and
-        travel. Same result, and the table shows the traffic."""
+        """LIGGGHTS is cut in z, the fluid in x: half of the grains are
+        remote. Same result, and the table shows the traffic."""
         options = {"interpolation": "cell"}
         serial = self.run_box(0, options=options)
         parallel = self.run_box(2, options=options, decomposition="(2 1 1)",
