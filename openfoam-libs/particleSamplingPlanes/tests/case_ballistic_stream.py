@@ -186,7 +186,7 @@ class Sampling(grainjet.Case):
         before = profile.read_bytes()
         result = grainjet.run(["postProcess"], self.folder)
         self.assertEqual(result.code, 0, result)
-        self.assertIn("only be seen during the run", result.output)
+        self.assertIn("post-processing has no particles of cloud", result.output)
         self.assertEqual(profile.read_bytes(), before)
 
 
