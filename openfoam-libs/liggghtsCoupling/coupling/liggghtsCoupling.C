@@ -135,6 +135,11 @@ void Foam::fv::liggghtsCoupling::addSup
     const label fieldi
 )
 {
+    // A solver may ask for these sources before those of its momentum equation
+    if (!pipeline_)
+    {
+        begin();
+    }
     const momentumExchange& momentum = pipeline_->momentum();
     const tmp<volScalarField> trho(fluid_->rho());
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainMomentum.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -35,16 +36,22 @@ Foam::autoPtr<Foam::grainMomentum> Foam::grainMomentum::New
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "momentum",
-            model,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!cstrIter.found())
+            {
+                FatalIOErrorInLookup
+                (
+                    dict,
+                    "momentum",
+                    model,
+                    *dictionaryConstructorTablePtr_
+                ) << exit(FatalIOError);
+            }
+        }
+    );
 
     return autoPtr<grainMomentum>(cstrIter()(fluid));
 }

@@ -8,29 +8,6 @@
 #include "couplingEntries.H"
 #include "fvMatrices.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace
-{
-
-IOobject writtenField(const word& name, const fvMesh& mesh)
-{
-    return IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        IOobject::NO_READ,
-        IOobject::AUTO_WRITE
-    );
-}
-
-} // End anonymous namespace
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::momentumExchange::deposit
@@ -82,13 +59,13 @@ Foam::momentumExchange::momentumExchange
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_
     (
-        writtenField("dragCoefficient", fluid.mesh()),
+        cellAverages::writtenField("dragCoefficient", fluid.mesh()),
         fluid.mesh(),
         dimensionedScalar(dimDensity/dimTime, Zero)
     ),
     particleMomentumSource_
     (
-        writtenField("particleMomentumSource", fluid.mesh()),
+        cellAverages::writtenField("particleMomentumSource", fluid.mesh()),
         fluid.mesh(),
         dimensionedVector(dimForce/dimVolume, Zero)
     )

@@ -34,18 +34,25 @@ public:
     {
         return false;
     }
+};
 
-protected:
 
-    // Is there a field of this name?
-    bool hasField(const word& name) const
+// A field of the solver or of the coupling that has the quantity's name
+class fieldQuantity
+:
+    public scalarQuantity
+{
+public:
+
+    using scalarQuantity::scalarQuantity;
+
+    virtual bool hasBoundaryValues() const
     {
-        return fluid_.mesh().foundObject<volScalarField>(name);
+        return true;
     }
-
-    const volScalarField& field(const word& name) const
+    virtual tmp<volScalarField> scalarField() const
     {
-        return fluid_.mesh().lookupObject<volScalarField>(name);
+        return fluid_.mesh().lookupObject<volScalarField>(type());
     }
 };
 
@@ -113,19 +120,10 @@ struct velocityQuantity
 
 struct voidFractionQuantity
 :
-    public scalarQuantity
+    public fieldQuantity
 {
     TypeName("voidFraction");
-    using scalarQuantity::scalarQuantity;
-
-    virtual bool hasBoundaryValues() const
-    {
-        return true;
-    }
-    virtual tmp<volScalarField> scalarField() const
-    {
-        return field("voidFraction");
-    }
+    using fieldQuantity::fieldQuantity;
 };
 
 
@@ -201,66 +199,44 @@ struct vorticityQuantity
 
 struct turbulentEnergyQuantity
 :
-    public scalarQuantity
+    public fieldQuantity
 {
     TypeName("k");
-    using scalarQuantity::scalarQuantity;
+    using fieldQuantity::fieldQuantity;
 
-    virtual bool hasBoundaryValues() const
-    {
-        return true;
-    }
     virtual string missing() const
     {
         return noTurbulence(fluid_, "k");
-    }
-    virtual tmp<volScalarField> scalarField() const
-    {
-        return field("k");
     }
 };
 
 
 struct dissipationQuantity
 :
-    public scalarQuantity
+    public fieldQuantity
 {
     TypeName("epsilon");
-    using scalarQuantity::scalarQuantity;
+    using fieldQuantity::fieldQuantity;
 
-    virtual bool hasBoundaryValues() const
-    {
-        return true;
-    }
     virtual string missing() const
     {
         return noTurbulence(fluid_, "epsilon");
-    }
-    virtual tmp<volScalarField> scalarField() const
-    {
-        return field("epsilon");
     }
 };
 
 
 struct temperatureQuantity
 :
-    public scalarQuantity
+    public fieldQuantity
 {
     TypeName("T");
-    using scalarQuantity::scalarQuantity;
+    using fieldQuantity::fieldQuantity;
 
-    virtual bool hasBoundaryValues() const
-    {
-        return true;
-    }
     virtual string missing() const
     {
-        return hasField("T") ? string() : string("the solver has no field T");
-    }
-    virtual tmp<volScalarField> scalarField() const
-    {
-        return field("T");
+        return
+            fluid_.mesh().foundObject<volScalarField>(type())
+          ? string() : string("the solver has no field T");
     }
 };
 

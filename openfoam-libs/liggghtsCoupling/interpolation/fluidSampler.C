@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidSampler.H"
+#include "couplingEntries.H"
 #include "interpolation.H"
 #include "schemeSampler.H"
 
@@ -35,11 +36,17 @@ Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
     }
 
     auto* schemes = interpolation<vector>::dictionaryConstructorTablePtr_;
-    if (!schemes->found(scheme))
-    {
-        FatalIOErrorInLookup(dict, "interpolation", scheme, *schemes)
-            << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!schemes->found(scheme))
+            {
+                FatalIOErrorInLookup(dict, "interpolation", scheme, *schemes)
+                    << exit(FatalIOError);
+            }
+        }
+    );
 
     return autoPtr<fluidSampler>(new schemeSampler(scheme));
 }

@@ -93,12 +93,11 @@ class Forces(grainjet.Case):
             self.assertAlmostEqual(fx, expected, delta=1e-4 * largest, msg=f"grain {tag}")
             self.assertLess(math.hypot(fy, fz), 1e-4 * largest)
 
-    def test_viscous_in_one_pass(self):
-        """With "Gauss linear corrected" the viscous force is summed in one pass over the faces, with
-        other schemes by OpenFOAM's fvc::laplacian. midPoint is such another scheme, and makes no
-        difference for uniform nu: both give the same force, to round-off, on a graded mesh with
-        walls or periodic sides and on an oblique one, on one rank and on two. Nor for a fluid whose nu
-        falls with shear on a uniform mesh, where faces lie halfway."""
+    def test_viscous_scheme(self):
+        """The viscous force takes the scheme of laplacian(nu,U) of the case, and is the same on one rank and on
+        two, to round-off: on a graded mesh with walls or periodic sides and on an oblique one, and for a fluid
+        whose nu falls with shear. midPoint differs from linear only in the face value of nu: by nothing for
+        uniform nu, and on a uniform mesh, where faces lie halfway."""
         rng = random.Random(5)
         U = "".join("({} {} {})\n".format(*(rng.uniform(-1, 1) for _ in range(3))) for _ in range(2000))
         thinning = ("CrossPowerLaw; CrossPowerLawCoeffs { nu0 nu0 [0 2 -1 0 0 0 0] 1e-4; "

@@ -42,7 +42,7 @@ KINDS = {
 }
 
 
-class MeshesCells(grainjet.Case):
+class MeshesCells(meshes.EachMesh, grainjet.Case):
 
     points, walkers, steps, spheres = 100000, 10000, 200, 5000
     shared = 30000      # of the points, looked for on several ranks
@@ -118,38 +118,6 @@ class MeshesCells(grainjet.Case):
                     self.assertEqual(seen[fault], 0, fault)
                 self.assertLess(seen["volumeError"], 1e-12)
         shutil.rmtree(folder)
-
-    def test_jet(self):
-        """A pipe that opens into a chamber, by snappyHexMesh."""
-        self.on_mesh("jet")
-
-    def test_layers(self):
-        """A pipe with prism layers, by snappyHexMesh."""
-        self.on_mesh("layers")
-
-    def test_tetrahedra(self):
-        """Tetrahedra."""
-        self.on_mesh("tetrahedra")
-
-    def test_dual(self):
-        """Polyhedra, by polyDualMesh."""
-        self.on_mesh("dual")
-
-    def test_concave(self):
-        """Cells and faces in the form of an L."""
-        self.on_mesh("concave")
-
-    def test_wedge(self):
-        """A wedge."""
-        self.on_mesh("wedge")
-
-    def test_baffles(self):
-        """Baffles between warped cells."""
-        self.on_mesh("baffles")
-
-    def test_unmatched(self):
-        """cyclicAMI."""
-        self.on_mesh("unmatched")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ FIELDS = {
 }
 
 
-class MeshesRuns(box.CoupledCase):
+class MeshesRuns(meshes.EachMesh, box.CoupledCase):
 
     def prepare(self, name):
         """A case on a mesh, with 300 grains that fly in all directions up to a quarter of a cell's width in a step."""
@@ -107,38 +107,6 @@ class MeshesRuns(box.CoupledCase):
         expected = (300 - balance["outsideMesh"][-1]) * math.pi / 6 * DIAMETER ** 3
         self.assertLess(balance["outsideMesh"][-1], 60)
         self.assertAlmostEqual(solid, expected, delta=1e-10 * expected)
-
-    def test_jet(self):
-        """A pipe that opens into a chamber, by snappyHexMesh."""
-        self.on_mesh("jet")
-
-    def test_layers(self):
-        """A pipe with prism layers, by snappyHexMesh."""
-        self.on_mesh("layers")
-
-    def test_tetrahedra(self):
-        """Tetrahedra."""
-        self.on_mesh("tetrahedra")
-
-    def test_dual(self):
-        """Polyhedra, by polyDualMesh."""
-        self.on_mesh("dual")
-
-    def test_concave(self):
-        """Cells and faces in the form of an L."""
-        self.on_mesh("concave")
-
-    def test_wedge(self):
-        """A wedge."""
-        self.on_mesh("wedge")
-
-    def test_baffles(self):
-        """Baffles between warped cells."""
-        self.on_mesh("baffles")
-
-    def test_unmatched(self):
-        """cyclicAMI."""
-        self.on_mesh("unmatched")
 
 
 if __name__ == "__main__":

@@ -315,3 +315,39 @@ MESHES = {
     "baffles": (baffles, lambda p: True),
     "unmatched": (unmatched, lambda p: True),
 }
+
+
+class EachMesh:
+    """One test per mesh, for a test class with on_mesh(name)."""
+
+    def test_jet(self):
+        """A pipe that opens into a chamber, by snappyHexMesh."""
+        self.on_mesh("jet")
+
+    def test_layers(self):
+        """A pipe with prism layers, by snappyHexMesh."""
+        self.on_mesh("layers")
+
+    def test_tetrahedra(self):
+        """Tetrahedra."""
+        self.on_mesh("tetrahedra")
+
+    def test_dual(self):
+        """Polyhedra, by polyDualMesh."""
+        self.on_mesh("dual")
+
+    def test_concave(self):
+        """Cells and faces in the form of an L."""
+        self.on_mesh("concave")
+
+    def test_wedge(self):
+        """A wedge."""
+        self.on_mesh("wedge")
+
+    def test_baffles(self):
+        """Baffles between warped cells."""
+        self.on_mesh("baffles")
+
+    def test_unmatched(self):
+        """cyclicAMI."""
+        self.on_mesh("unmatched")

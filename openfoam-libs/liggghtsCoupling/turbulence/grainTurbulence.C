@@ -33,20 +33,32 @@ Foam::autoPtr<Foam::grainTurbulence> Foam::grainTurbulence::New
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown turbulenceSources " << model << "\n\nValid: none "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!cstrIter.found())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown turbulenceSources " << model << "\n\nValid: none "
+                    << dictionaryConstructorTablePtr_->sortedToc()
+                    << exit(FatalIOError);
+            }
+        }
+    );
 
-    if (!couplingEntries::twoWay(dict))
-    {
-        FatalIOErrorInFunction(dict)
-            << "turbulenceSources " << model << " needs coupling twoWay: with oneWay the fluid"
-            << " feels nothing of the grains" << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!couplingEntries::twoWay(dict))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "turbulenceSources " << model << " needs coupling twoWay: with oneWay the fluid"
+                    << " feels nothing of the grains" << exit(FatalIOError);
+            }
+        }
+    );
 
     return autoPtr<grainTurbulence>(cstrIter()(dict, mesh));
 }

@@ -27,19 +27,6 @@ dictionary modelDict(const dictionary& dict)
 }
 
 
-IOobject writtenField(const word& name, const polyMesh& mesh)
-{
-    return IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        IOobject::NO_READ,
-        IOobject::AUTO_WRITE
-    );
-}
-
-
 const fvMesh& fvMeshOf(const cellLocator& locator)
 {
     return refCast<const fvMesh>(locator.mesh());
@@ -74,6 +61,25 @@ Foam::cellAverages::cellAverages
         dimensionedVector(dimVelocity, Zero)
     )
 {}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::cellAverages::writtenField
+(
+    const word& name,
+    const polyMesh& mesh
+)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "voidFractionModel.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -43,20 +44,28 @@ Foam::autoPtr<Foam::voidFractionModel> Foam::voidFractionModel::New
     const cellLocator& locator
 )
 {
-    const word model(dict.get<word>("model"));
+    word model;
+    couplingEntries::onMaster([&](){ model = dict.get<word>("model"); });
+    Pstream::scatter(model);
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "model",
-            model,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!cstrIter.found())
+            {
+                FatalIOErrorInLookup
+                (
+                    dict,
+                    "model",
+                    model,
+                    *dictionaryConstructorTablePtr_
+                ) << exit(FatalIOError);
+            }
+        }
+    );
 
     return autoPtr<voidFractionModel>(cstrIter()(dict, locator));
 }

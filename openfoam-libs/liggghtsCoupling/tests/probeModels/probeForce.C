@@ -32,11 +32,15 @@ Foam::probeForce::probeForce(const dictionary& dict, forceNeeds& needs)
             {"infinite", knownEntries::valueType::SWITCH},
             {"numbers", knownEntries::valueType::ANY},
             {"shift", knownEntries::valueType::ANY},
-            {"unasked", knownEntries::valueType::WORD}
+            {"unasked", knownEntries::valueType::WORD},
+            {"shown", knownEntries::valueType::WORD},
+            {"vector", knownEntries::valueType::SWITCH}
         }
     ),
     shift_(dict.lookupOrDefault<vector>("shift", Zero)),
-    unasked_(dict.lookupOrDefault<word>("unasked", word()))
+    unasked_(dict.lookupOrDefault<word>("unasked", word())),
+    shown_(dict.found("shown") ? needs.quantity(dict.get<word>("shown")) : -1),
+    nShown_(dict.lookupOrDefault<Switch>("vector", false) ? 3 : 1)
 {
     for (const word& name : dict.lookupOrDefault<wordList>("quantities", wordList()))
     {
@@ -63,6 +67,10 @@ void Foam::probeForce::add(grainBatch& grains) const
     for (label i = 0; i < grainBatch::size; ++i)
     {
         grainBatch::add(grains.fluidVelocity, i, shift_);
+        for (label k = 0; shown_ >= 0 && k < nShown_; ++k)
+        {
+            grains.Su[k][i] += 1e-15*grains.fluid(shown_)[k][i];
+        }
         if (unasked_ == "torque")
         {
             grains.torque[2][i] += 1e-12;
