@@ -21,8 +21,9 @@ rollingFriction dParticle rhoParticle massLoading Umean Re Uinsertion uRmsAxial 
 pipeLength insertionLength cellLength nSide nRing nAir courant rayleigh writes spinUpIterations
 refinement""".split())
 LISTS = {"planes", "sizeRange"}
-WORDS = {"interpolation", "endPatch"}
-REFERENCES = {"rig", "particles", "material"}
+WORDS = {"interpolation", "endPatch", "wallLaw", "turbulentDispersion", "models"}
+WORD_LISTS = {"forces"}
+REFERENCES = {"rig", "particles", "material", "case"}
 
 
 class TableError(Exception):
@@ -96,19 +97,29 @@ class Table:
         """The study a run belongs to, or None for a case."""
         return next((study for study, entry in self.studies.items() if name in entry["run"]), None)
 
+    def case_of(self, name, study):
+        """The case of a run of a study: its own, or that of the whole study."""
+        entry = self.studies[study]
+        case = entry["run"][name].get("case", entry.get("case"))
+        if case is None:
+            raise TableError(f"{self.path.name}: [study.{study}] and its run {name} have no case")
+        return case
+
     def _add(self, settings, entries, place):
         """Take over checked entries; tables inside belong to somebody else."""
         for key, value in entries.items():
-            if isinstance(value, dict) or key in REFERENCES or key == "case":
+            if isinstance(value, dict) or key in REFERENCES:
                 continue
             kind = ("number" if key in NUMBERS else "list of numbers" if key in LISTS
-                    else "word" if key in WORDS else None)
+                    else "word" if key in WORDS else "list of words" if key in WORD_LISTS else None)
             where = f"{self.path.name}: [{place}] {key} = {value!r}"
             if kind is None:
                 raise TableError(f"{where}: no such parameter; see the list in cases/README.md")
             right = {"number": lambda v: isinstance(v, (int, float)) and not isinstance(v, bool),
                      "list of numbers": lambda v: isinstance(v, list) and v and all(
                          isinstance(x, (int, float)) for x in v),
+                     "list of words": lambda v: isinstance(v, list) and all(
+                         isinstance(x, str) for x in v),
                      "word": lambda v: isinstance(v, str)}[kind](value)
             if not right:
                 raise TableError(f"{where}: must be a {kind}")
@@ -117,7 +128,7 @@ class Table:
     def run(self, name, size):
         """All settings of a run, stated and derived."""
         study = self.study_of(name)
-        case_name = self.studies[study]["case"] if study else name
+        case_name = self.case_of(name, study) if study else name
         if case_name not in self.cases:
             self.runs(case_name)
         case, size_entry = self.cases[case_name], self.size(size)
@@ -137,6 +148,11 @@ class Table:
             self._add(settings, entry, f"study.{study}")
             self._add(settings, entry["run"][name], f"study.{study}.run.{name}")
             self._add(settings, entry.get("size", {}).get(size, {}), f"study.{study}.size.{size}")
+        models = settings["models"]
+        if models not in self.data["models"]:
+            raise TableError(f"{self.path.name}: run {name}: no models '{models}'; there are "
+                             f"{', '.join(self.data['models'])}")
+        self._add(settings, self.data["models"][models], f"models.{models}")
         settings |= {"name": name, "size": size, "case": case_name, "study": study,
                      "rig": rig, "material": particles["material"]}
         try:

@@ -8,6 +8,7 @@ import statistics
 
 import cost
 import figures
+import models
 import results as results_
 import sections
 import table
@@ -29,7 +30,7 @@ def write(results, output):
              *table4(results), *profiles(results, pictures), *rmse_tables(results),
              *sections.development(results, pictures), *sections.mesh(results, pictures),
              *sections.young(results), *sections.interpolation(results, pictures),
-             *sections.plate(results, pictures), *sections.sweep(results, pictures),
+             *models.report(results, pictures), *sections.plate(results, pictures), *sections.sweep(results, pictures),
              *costs(results), *missing(results)]
     output.write_text("\n".join(lines) + "\n")
 
