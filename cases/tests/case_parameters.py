@@ -103,7 +103,8 @@ class Generated(grainjet.Case):
 
     def test_every_run_of_every_size_can_be_made(self):
         for words in (["quick"], ["medium"], ["full"], ["development", "mesh", "E", "interpolation", "cg",
-                                                        "plate", "quick"]):
+                                                        "plate", "models", "model", "mesh-models",
+                                                        "development-models", "quick"]):
             made = self.allrun("--generate", *words)
             self.assertEqual(made.code, 0, made)
         folder = self.folder/"runs"/"Lau3-full"
@@ -112,6 +113,9 @@ class Generated(grainjet.Case):
         self.assertRegex(text, r"(?m)^Umean +48;")
         self.assertRegex(text, r"(?m)^planes +\(0\.2 10\);")
         self.assertIn("Lau3 full", (folder/"job.slurm").read_text())
+        text = (self.folder/"runs"/"Lau1-models-quick"/"system"/"parameters").read_text()
+        for entry in (r"D +0\.0127", "wallLaw +yes", "turbulentDispersion +Langevin", r"forces +\(pressureGradient .* SaffmanMei .*\)"):
+            self.assertRegex(text, f"(?m)^{entry};")
         plate = (self.folder/"runs"/"plate15D-cg2-quick"/"system"/"parameters").read_text()
         self.assertRegex(plate, r"(?m)^endPatch +plate;")
         self.assertRegex(plate, r"(?m)^jetLength +15;")
@@ -156,6 +160,7 @@ class Generated(grainjet.Case):
                 ("massLoading = 0.23", "massLoadin = 0.23", ("massLoadin", "case.Hardalupas1")),
                 ("massLoading = 0.23", "massLoading = 'much'", ("massLoading", "number", "case.Hardalupas1")),
                 ("planes = [0.1, 10, 20]", "planes = 10", ("planes", "list", "rig.Hardalupas")),
+                ('models = "paper"', 'models = "most"', ("most", "paper", "wallLaw")),
                 ("[case.Hardalupas1]", "[case.Hardalupas1", ("line",))):
             path = self.folder/"table.toml"
             path.write_text(text.replace(old, new, 1))
