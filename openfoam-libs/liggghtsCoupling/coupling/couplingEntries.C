@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingEntries.H"
+#include "grainTurbulence.H"
 #include "knownEntries.H"
 #include "OSspecific.H"
 #include "repeatedEntry.H"
@@ -21,12 +22,12 @@ typedef knownEntries::valueType valueType;
 
 typedef knownEntries::table entryTable;
 
-const entryTable& ofTheCoupling()
+entryTable ofTheCoupling()
 {
-    static const entryTable table
+    entryTable table
     ({
-        {"script", valueType::FILE},
-        {"couplingInterval", valueType::COUNT},
+        {"script", {valueType::FILE, knownEntries::REQUIRED}},
+        {"couplingInterval", {valueType::COUNT, knownEntries::REQUIRED}},
         {"coupling", valueType::WORD},
         {"voidFraction", valueType::DICTIONARY},
         {"drag", valueType::WORD},
@@ -38,12 +39,18 @@ const entryTable& ofTheCoupling()
         {"formulation", valueType::WORD},
         {"momentum", valueType::WORD},
         {"turbulenceSources", valueType::WORD},
-        {"ChenWoodCoeffs", valueType::DICTIONARY},
         {"fluid", valueType::ANY},
         {"U", valueType::WORD},
         {"p", valueType::WORD},
         {"log", valueType::FILE}
     });
+
+    // Coefficients of models of turbulence sources, also of those of a user's library, and of one that
+    // is not selected now
+    for (const word& model : grainTurbulence::dictionaryConstructorTablePtr_->toc())
+    {
+        table.insert(model + "Coeffs", valueType::DICTIONARY);
+    }
     return table;
 }
 
@@ -140,7 +147,8 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
     }
     else
     {
-        forAllConstIters(ofTheCoupling(), iter)
+        const entryTable entries(ofTheCoupling());
+        forAllConstIters(entries, iter)
         {
             known.insert(iter.key(), *iter);
         }

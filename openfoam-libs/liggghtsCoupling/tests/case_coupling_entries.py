@@ -114,6 +114,13 @@ class Entries(bad_case.BadCase):
     def test_every_entry_on_2_ranks(self):
         self.spoilt(ENTRIES, ranks=2, only=("a word", "another word", "in a missing folder"))
 
+    def test_missing_ones_are_told_once(self):
+        for key in ("script", "couplingInterval"):
+            folder = self.fresh()
+            self.options(folder, text((k, e.good) for k, e in ENTRIES.items() if k != key))
+            result = self.assertRefused(folder, f"Entry {key} is missing", "constant/fvOptions", ranks=2)
+            self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
+
     def test_entries_of_the_void_fraction(self):
         self.spoilt(VOID_FRACTION, "voidFraction")
 

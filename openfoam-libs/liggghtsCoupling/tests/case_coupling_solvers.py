@@ -12,6 +12,7 @@ import unittest
 import grainjet
 from grainjet import coupled_box as box, dictionaries, dumps
 from grainjet.coupled_box import swarm
+import user_library
 
 OPTIONS = {"interpolation": "cell"}
 
@@ -95,7 +96,7 @@ class Solvers(box.CoupledCase):
 
 class TurbulenceSources(box.CoupledCase):
 
-    def decay(self, model):
+    def decay(self, model, **options):
         """Turbulent kinetic energy in the box after 20 steps."""
         folder = self.folder / model
         box.write(folder, steps=20, velocity="(0 0 1)")
@@ -106,7 +107,9 @@ class TurbulenceSources(box.CoupledCase):
             dictionaries.write_field(folder, name, dimension, value, {".*": "type cyclic;"})
         x, v = swarm(3000, 4, mean=(0, 0, 1), rms=0)
         box.script(folder, grains=box.grains(x, v))
-        box.fv_options(folder, turbulenceSources=model)
+        box.fv_options(folder, turbulenceSources=model, **options)
+        dictionaries.change(folder / "system/controlDict",
+                            ('("libliggghtsCoupling.so")', user_library.libs("probeModels")))
         dictionaries.change(folder / "system/fvSolution", ('"U.*"', '"(U|k|epsilon).*"'))
         self.foam("blockMesh", folder)
         self.foam("pimpleFoam", folder)
@@ -138,6 +141,15 @@ class TurbulenceSources(box.CoupledCase):
         self.assertGreater(apart, 0)
         self.assertGreater(seen, 0.999 * apart)
         self.assertLess(seen, 1.001 * mixed)
+
+    def test_model_of_a_users_library(self):
+        """Its coefficients lie in <model>Coeffs. dk/dt = - eps - rate k, deps/dt = - 1.92 eps^2/k, with the
+        solver's own implicit Euler steps, with residuals of 1e-14: 1e-9."""
+        k, eps, rate, dt = 0.5, 50.0, 30.0, 1e-4
+        for _ in range(20):
+            eps /= 1 + dt * 1.92 * eps / k
+            k /= 1 + dt * (eps / k + rate)
+        self.assertAlmostEqual(self.decay("probeSources", probeSourcesCoeffs=f"{{ rate {rate}; }}") / k, 1, delta=1e-9)
 
 
 class RunningCase(box.CoupledCase):
