@@ -224,9 +224,9 @@ TEST(Langevin, WellMixed)
                                      time * (0.1 + 1.8 * y), {1.8 * time * side, 0, 0}};
         double mean[3];
         LangevinStep(seen, dt, 0, NO_SLIP).advance(numbers(i, n).data(), g.xi, mean);
-        const double way[3] = {dt * mean[0], dt * mean[1], dt * mean[2]};
-        if (!reflect_at_wall(g.x[0], normals[0], way, g.xi, mean))
-          reflect_at_wall(1 - g.x[0], normals[1], way, g.xi, mean);
+        double way[3] = {dt * mean[0], dt * mean[1], dt * mean[2]};
+        reflect_at_wall(g.x[0], normals[0], way, g.xi, mean);
+        reflect_at_wall(1 - g.x[0], normals[1], way, g.xi, mean);
         g.x[0] += dt * mean[0];
         ASSERT_TRUE(g.x[0] > -1e-12 && g.x[0] < 1 + 1e-12);
         const double place = std::min(g.x[0], 1 - g.x[0]);
@@ -263,7 +263,10 @@ TEST(WallReflection, Folds)
   EXPECT_EQ(xi[2], -3);
   EXPECT_EQ(mean[1], 5);
   EXPECT_NEAR(dt * mean[2], 0.2 - (0.6 - 0.2), 1e-15);
+  EXPECT_NEAR(way[2], dt * mean[2], 1e-15);
+  EXPECT_FALSE(reflect_at_wall(0.2, normal, way, xi, mean));
   // already in the wall: thrown back whole
+  way[2] = 0.6;
   mean[2] = 6;
   EXPECT_TRUE(reflect_at_wall(-0.01, normal, way, xi, mean));
   EXPECT_NEAR(mean[2], -6, 1e-15);

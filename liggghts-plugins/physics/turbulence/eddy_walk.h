@@ -32,7 +32,8 @@ public:
   // eddies that are followed one by one in an interval; the mean of more is Gaussian
   static constexpr int MOST = 32;
 
-  explicit EddyWalk(const GrainRandom &random) : random_(random) {}
+  // Numbers from draw `first` on
+  explicit EddyWalk(const GrainRandom &random, uint32_t first = 0) : random_(random), draws_(first) {}
 
   /* xi:    of the eddy that the grain is in
      left:  s, that it stays in it
@@ -75,7 +76,7 @@ public:
 
 private:
   const GrainRandom &random_;
-  uint32_t draws_ = 0;
+  uint32_t draws_;
 };
 
 }

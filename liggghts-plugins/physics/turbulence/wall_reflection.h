@@ -38,11 +38,12 @@ struct GrainWay {
    the rest after the reflection; the mean over it is that of both.
    gap:     m, between the surface of the grain and the wall
    normal:  of the wall, out of the fluid
-   way:     m, of the grain in the interval if there were no wall
+   way:     m, of the grain in the interval if there were no wall; folded, so that further walls
+            may follow
    xi:      fluctuation at the end of the interval
    mean:    m/s, mean fluctuation over the interval
    returns whether the wall is met                                                       */
-inline bool reflect_at_wall(double gap, const double *normal, const double *way, double *xi,
+inline bool reflect_at_wall(double gap, const double *normal, double *way, double *xi,
                             double *mean)
 {
   const double out = normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2];
@@ -52,6 +53,7 @@ inline bool reflect_at_wall(double gap, const double *normal, const double *way,
   const double xi_out = normal[0] * xi[0] + normal[1] * xi[1] + normal[2] * xi[2];
   const double mean_out = normal[0] * mean[0] + normal[1] * mean[1] + normal[2] * mean[2];
   for (int k = 0; k < 3; k++) {
+    way[k] -= 2.0 * after * out * normal[k];
     xi[k] -= 2.0 * xi_out * normal[k];
     mean[k] -= 2.0 * after * mean_out * normal[k];
   }
