@@ -6,6 +6,7 @@
 
 #include "fluidQuantity.H"
 #include "couplingEntries.H"
+#include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,6 +23,20 @@ Foam::fluidQuantity::fluidQuantity(const carrierFluid& fluid)
 :
     fluid_(fluid)
 {}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+Foam::string Foam::fluidQuantity::noTurbulence(const word& name) const
+{
+    return
+        !fluid_.model() ? string("the solver has no turbulence model")
+      : fluid_.mesh().foundObject<volScalarField>(name)
+      ? string()
+      : fluid_.model()->get<word>("simulationType") == "laminar"
+      ? string("the flow is laminar (constant/turbulenceProperties)")
+      : "the turbulence model " + fluid_.model()->type() + " has no field " + name;
+}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //

@@ -11,7 +11,6 @@ Description
 #include "fluidQuantity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvcCurl.H"
-#include "turbulenceModel.H"
 #include "wallDist.H"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
@@ -85,19 +84,6 @@ public:
         return true;
     }
 };
-
-
-// Why a turbulence model cannot tell k or epsilon
-string noTurbulence(const carrierFluid& fluid, const char* name)
-{
-    return
-        !fluid.model() ? string("the solver has no turbulence model")
-      : fluid.mesh().foundObject<volScalarField>(name)
-      ? string()
-      : fluid.model()->get<word>("simulationType") == "laminar"
-      ? string("the flow is laminar (constant/turbulenceProperties)")
-      : "the turbulence model " + fluid.model()->type() + " has no field " + name;
-}
 
 
 struct velocityQuantity
@@ -206,7 +192,7 @@ struct turbulentEnergyQuantity
 
     virtual string missing() const
     {
-        return noTurbulence(fluid_, "k");
+        return noTurbulence("k");
     }
 };
 
@@ -220,7 +206,7 @@ struct dissipationQuantity
 
     virtual string missing() const
     {
-        return noTurbulence(fluid_, "epsilon");
+        return noTurbulence("epsilon");
     }
 };
 

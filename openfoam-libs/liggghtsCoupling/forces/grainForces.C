@@ -231,6 +231,7 @@ Foam::grainForces::grainForces
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
     }
+    dispersion_ = turbulentDispersion::New(dict, needs_);
     sampler_ = fluidSampler::New(dict, locator);
 }
 
@@ -250,6 +251,10 @@ void Foam::grainForces::report(Ostream& os) const
         }
     }
     os  << (forces_.empty() ? " none" : "") << nl;
+    if (dispersion_)
+    {
+        os  << "    Turbulent dispersion: " << dispersion_->summary().c_str() << nl;
+    }
 }
 
 
@@ -292,9 +297,17 @@ Foam::scalar Foam::grainForces::act
         {
             batch.fluidVelocity[k] = U[k];
         }
+        if (dispersion_)
+        {
+            dispersion_->disperse(batch);
+        }
         for (const grainForce& force : forces_)
         {
             force.add(batch);
+        }
+        if (dispersion_)
+        {
+            dispersion_->remember(batch);
         }
         checkRequested(batch);
 

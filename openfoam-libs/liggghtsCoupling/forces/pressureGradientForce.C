@@ -6,6 +6,7 @@
 
 #include "pressureGradientForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -13,6 +14,17 @@ namespace Foam
 {
     defineTypeNameAndDebug(pressureGradientForce, 0);
     addToRunTimeSelectionTable(grainForce, pressureGradientForce, dictionary);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::pressureGradientForce::holdsTurbulence(const fvMesh& mesh)
+{
+    return
+        mesh.foundObject<volScalarField>("k")
+     && mesh.foundObject<volScalarField>("nut")
+     && !mesh.foundObject<volSymmTensorField>("R");
 }
 
 
@@ -24,8 +36,14 @@ Foam::pressureGradientForce::pressureGradientForce
     forceNeeds& needs
 )
 :
-    grainForce(dict, needs),
+    grainForce(dict, needs, {{"turbulentPressure", knownEntries::valueType::SWITCH}}),
     gradP_(needs.quantity("gradP")),
+    turbulent_
+    (
+        dict.lookupOrDefault<Switch>("turbulentPressure", holdsTurbulence(needs.mesh()))
+    ),
+    rho_(turbulent_ ? needs.quantity("rho") : -1),
+    gradK_(turbulent_ ? needs.quantity("gradK") : -1),
     reacts_(needs.stressReacts()),
     quantities_(needs.quantities())
 {
@@ -37,6 +55,12 @@ Foam::pressureGradientForce::pressureGradientForce
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::pressureGradientForce::summary() const
+{
+    return turbulent_ ? "without 2k/3" : "";
+}
+
 
 void Foam::pressureGradientForce::add(grainBatch& grains) const
 {
@@ -50,14 +74,33 @@ void Foam::pressureGradientForce::add(grainBatch& grains) const
             Su[k][i] -= grains.volume[i]*gradP[k][i];
         }
     }
+
+    if (turbulent_)
+    {
+        const lane& rho = *grains.fluid(rho_);
+        const lane* gradK = grains.fluid(gradK_);
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                Su[k][i] += grains.volume[i]*rho[i]*(2.0/3.0)*gradK[k][i];
+            }
+        }
+    }
 }
 
 
 Foam::vector Foam::pressureGradientForce::stressDensity(const label celli) const
 {
-    return -quantities_.vectorField(gradP_)[celli];
+    vector gradient(quantities_.vectorField(gradP_)[celli]);
+    if (turbulent_)
+    {
+        gradient -=
+            quantities_.scalarField(rho_)[celli]*(2.0/3.0)
+           *quantities_.vectorField(gradK_)[celli];
+    }
+    return -gradient;
 }
-
 
 
 // ************************************************************************* //

@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "LangevinDispersion.H"
+#include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
+
+#include "physics/turbulence/langevin_step.h"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(LangevinDispersion, 0);
+    addToRunTimeSelectionTable(turbulentDispersion, LangevinDispersion, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::LangevinDispersion::LangevinDispersion
+(
+    const dictionary& dict,
+    const carrierFluid& fluid
+)
+:
+    turbulentDispersion(dict, fluid, {{"Sct", knownEntries::valueType::POSITIVE}}),
+    Sct_(dict.lookupOrDefault<scalar>("Sct", 0.7))
+{
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (Sct_ < 0.1 || Sct_ > 10)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Sct " << Sct_ << ", the turbulent Schmidt number of fluid particles, is not"
+                    << " within 0.1 to 10. Measured in jets and pipes: 0.7 to 1"
+                    << exit(FatalIOError);
+            }
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::LangevinDispersion::ask(forceNeeds& needs)
+{
+    speed_ = needs.quantity("turbulentSpeed");
+    speedGradient_ = needs.quantity("gradTurbulentSpeed");
+    time_ = needs.quantity("turbulentTime");
+    timeGradient_ = needs.quantity("gradTurbulentTime");
+    response_ = needs.state("response", scalarList(3, Zero));
+}
+
+
+void Foam::LangevinDispersion::advance
+(
+    grainBatch& grains,
+    const label i,
+    const random& numbers,
+    const scalar responseTime,
+    vector& fluctuation,
+    vector& mean
+) const
+{
+    const lane* speedGradient = grains.fluid(speedGradient_);
+    const lane* timeGradient = grains.fluid(timeGradient_);
+    grainjet::turbulence::SeenTurbulence seen;
+    seen.speed = (*grains.fluid(speed_))[i];
+    seen.time = (*grains.fluid(time_))[i]/Sct_;
+    for (direction k = 0; k < 3; ++k)
+    {
+        seen.speed_gradient[k] = speedGradient[k][i];
+        seen.time_gradient[k] = timeGradient[k][i]/Sct_;
+    }
+
+    // The velocity without fluctuation, which no model has changed yet, less that of the grain
+    const vector slip
+    (
+        grainBatch::get(grains.fluidVelocity, i) - grainBatch::get(grains.velocity, i)
+      + grainBatch::get(grains.state(response_), i)
+    );
+
+    scalar normals[8];
+    numbers.normals(1, normals);
+    numbers.normals(2, normals + 4);
+
+    grainjet::turbulence::LangevinStep(seen, dt_, responseTime, slip.cdata())
+       .advance(normals, fluctuation.data(), mean.data());
+}
+
+
+void Foam::LangevinDispersion::mirrored
+(
+    grainBatch& grains,
+    const label i,
+    const vector& normal
+) const
+{
+    lane* response = grains.state(response_);
+    grainBatch::add(response, i, -2*(normal & grainBatch::get(response, i))*normal);
+}
+
+
+void Foam::LangevinDispersion::keep
+(
+    grainBatch& grains,
+    const label i,
+    const scalar kept,
+    const vector& mean
+) const
+{
+    lane* response = grains.state(response_);
+    for (direction k = 0; k < 3; ++k)
+    {
+        response[k][i] = mean[k] + kept*(response[k][i] - mean[k]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::LangevinDispersion::summary() const
+{
+    return turbulentDispersion::summary() + ", Sct " + Foam::name(Sct_);
+}
+
+
+// ************************************************************************* //

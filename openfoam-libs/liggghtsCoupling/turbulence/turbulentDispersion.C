@@ -1,0 +1,265 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "turbulentDispersion.H"
+#include "couplingEntries.H"
+#include "turbulenceModel.H"
+
+#include "physics/turbulence/wall_reflection.h"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(turbulentDispersion, 0);
+    defineRunTimeSelectionTable(turbulentDispersion, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+const char* const entryName = "turbulentDispersion";
+
+
+// The dictionary of the model, from either form of the entry; empty for none
+dictionary entriesOfModel(const dictionary& dict)
+{
+    dictionary entries;
+    entries.name() = dict.name();
+    if (dict.isDict(entryName))
+    {
+        entries = dict.subDict(entryName);
+        entries.get<word>("model");
+    }
+    else if (dict.found(entryName))
+    {
+        entries.add("model", dict.get<word>(entryName));
+    }
+    return entries;
+}
+
+
+knownEntries::table withCommon(const knownEntries::table& entries)
+{
+    knownEntries::table all(entries);
+    all.insert("model", knownEntries::valueType::WORD);
+    all.insert("seed", knownEntries::valueType::COUNT);
+    return all;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::turbulentDispersion::isTurbulent
+(
+    const dictionary& dict,
+    const carrierFluid& fluid,
+    const word& name
+)
+{
+    const turbulenceModel& model = *fluid.model();
+    const word type(model.get<word>("simulationType"));
+
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (type != "laminar" && type != "RAS")
+            {
+                FatalIOErrorInFunction(dict)
+                    << entryName << ' ' << name << " needs the k of a RAS model, but this case has "
+                    << model.type() << " (simulationType " << type << ", "
+                    << fluid.mesh().time().constant() << '/' << turbulenceModel::propertiesName
+                    << "), whose resolved eddies move the grains already. Set " << entryName
+                    << " to none" << exit(FatalIOError);
+            }
+        }
+    );
+    return type == "RAS";
+}
+
+
+void Foam::turbulentDispersion::mirror
+(
+    grainBatch& grains,
+    const label i,
+    const scalar rate,
+    vector& fluctuation,
+    vector& mean
+) const
+{
+    const grainjet::turbulence::GrainWay parts(dt_, max(rate, scalar(0)));
+    const point place(grainBatch::get(grains.position, i));
+    vector way
+    (
+        parts.fluid*(grainBatch::get(grains.fluidVelocity, i) + mean)
+      + parts.own_velocity*grainBatch::get(grains.velocity, i)
+    );
+
+    for (const nearWalls::plane& wall : walls_->at(grains.cell[i]))
+    {
+        const bool met = grainjet::turbulence::reflect_at_wall
+        (
+            wall.distance(place) - grains.radius[i],
+            wall.normal.cdata(),
+            way.data(),
+            fluctuation.data(),
+            mean.data()
+        );
+        if (met)
+        {
+            mirrored(grains, i, wall.normal);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::turbulentDispersion::turbulentDispersion
+(
+    const dictionary& dict,
+    const carrierFluid& fluid,
+    const knownEntries::table& entries
+)
+:
+    dict_(dict),
+    fluid_(fluid),
+    seed_
+    (
+        (
+            knownEntries::checkOnMaster(dict, withCommon(entries)),
+            dict.lookupOrDefault<label>("seed", 1)
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::turbulentDispersion> Foam::turbulentDispersion::New
+(
+    const dictionary& dict,
+    forceNeeds& needs
+)
+{
+    couplingEntries::onMaster([&](){ entriesOfModel(dict); });
+    const dictionary entries(entriesOfModel(dict));
+    const word name(entries.lookupOrDefault<word>("model", "none"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (name != "none" && !cstrIter.found())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown " << entryName << ' ' << name << "\n\nValid: none "
+                    << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+                    << exit(FatalIOError);
+            }
+            if (name == "none")
+            {
+                knownEntries::check(entries, withCommon(knownEntries::table()));
+            }
+        }
+    );
+    if (name == "none")
+    {
+        return nullptr;
+    }
+
+    autoPtr<turbulentDispersion> model(cstrIter()(entries, needs.fluid()));
+    if (!isTurbulent(dict, needs.fluid(), name))
+    {
+        Info<< "    " << entryName << ' ' << name
+            << " has nothing to do: the flow is laminar" << endl;
+        return nullptr;
+    }
+    needs.begin(name, entries);
+    model->ask(needs);
+    model->fluctuation_ = needs.state("fluctuation", scalarList(3, Zero));
+    model->rate_ = needs.state("rate", scalarList(1, -1.0));
+    model->walls_.reset(new nearWalls(needs.mesh()));
+    return model;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::turbulentDispersion::summary() const
+{
+    return type() + ", seed " + Foam::name(seed_);
+}
+
+
+void Foam::turbulentDispersion::disperse(grainBatch& grains)
+{
+    const Time& time = fluid_.mesh().time();
+    dt_ = time.deltaTValue();
+
+    lane* state = grains.state(fluctuation_);
+    const lane& rate = *grains.state(rate_);
+
+    for (label i = 0; i < grains.n; ++i)
+    {
+        const random numbers(seed_, grains.id[i], time.timeIndex());
+        vector fluctuation(grainBatch::get(state, i));
+        if (rate[i] < 0)
+        {
+            scalar four[4];
+            numbers.normals(0, four);
+            fluctuation = vector(four[0], four[1], four[2]);
+        }
+
+        vector mean;
+        advance
+        (
+            grains, i, numbers, rate[i] > 1e-30 ? 1/rate[i] : 1e30, fluctuation, mean
+        );
+        mirror(grains, i, rate[i], fluctuation, mean);
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            state[k][i] = fluctuation[k];
+            mean_[k][i] = mean[k];
+        }
+    }
+
+    // Behind the last grain its numbers are repeated
+    for (direction k = 0; k < 3; ++k)
+    {
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            const label from = min(i, grains.n - 1);
+            state[k][i] = state[k][from];
+            mean_[k][i] = mean_[k][from];
+            grains.fluidVelocity[k][i] += mean_[k][i];
+        }
+    }
+}
+
+
+void Foam::turbulentDispersion::remember(grainBatch& grains) const
+{
+    lane& rate = *grains.state(rate_);
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        rate[i] = (grains.Sp[i] + grains.nonReactingSp[i])/grains.mass[i];
+        keep(grains, i, exp(-rate[i]*dt_), grainBatch::get(mean_, i));
+    }
+}
+
+
+// ************************************************************************* //
