@@ -30,7 +30,7 @@ namespace LAMMPS_NS {
 
      fix ID group fluid/force coupled
      fix ID group fluid/force uniform ux uy uz density rho viscosity nu
-         [drag name] [buoyancy yes|no] [rotation yes|no]
+         [drag name [sphericity phi]] [buoyancy yes|no] [rotation yes|no] [magnus yes|no]
 
    The drag acts last in the step, after all other forces are known, and is integrated
    exactly over the kick of velocity Verlet (physics/drag/exponential_drag.h). Half-step

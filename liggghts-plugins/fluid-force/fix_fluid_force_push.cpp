@@ -67,6 +67,14 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
       given[dim] = UNIFORM ? buoyancy[dim] * volume : explicits[first + dim];
       other[dim] = f[dim] + (NON_REACTING ? given[dim] + nonReacting[dim] : given[dim]);
     }
+    if (UNIFORM && uniform_->magnus()) {
+      double lift[3];
+      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, lift);
+      for (int dim = 0; dim < 3; dim++) {
+        given[dim] += lift[dim];
+        other[dim] += lift[dim];
+      }
+    }
     if (UNIFORM)
       coefficient[i] =
         uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0);
@@ -132,7 +140,7 @@ bool FixFluidForce::turn(double kick, bool remove)
     }
     const double *omega = omegas + first;
     const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
-    const ExponentialDrag drag(UNIFORM ? uniform_->spinCoefficient(i) : spinCoefficient_->vector_atom[i],
+    const ExponentialDrag drag(UNIFORM ? uniform_->spinCoefficient(i, kick) : spinCoefficient_->vector_atom[i],
       kick, inertia);
 
     for (int dim = 0; dim < 3; dim++) {

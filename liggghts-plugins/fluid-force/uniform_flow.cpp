@@ -9,8 +9,13 @@
 #include "host/fix_arguments.h"
 #include "physics/drag/drag_laws.h"
 #include "physics/drag/exponential_drag.h"
+#include "physics/drag/shaped_drag.h"
+#include "physics/lift/magnus.h"
+#include "physics/lift/mean_lift.h"
+#include "physics/lift/spin_torque.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "fix_gravity.h"
 #include "force.h"
@@ -18,6 +23,7 @@
 #include "modify.h"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -33,29 +39,62 @@ static const double WIDEST = 1e12;
 /* ---------------------------------------------------------------------- */
 
 UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
-  Pointers(lmp), density_(0.0), viscosity_(0.0), law_(NULL),
-  buoyancy_(false), rotation_(false), gravity_(NULL)
+  Pointers(lmp), density_(0.0), viscosity_(0.0),
+  buoyancy_(false), rotation_(false), magnus_(false), gravity_(NULL)
 {
   for (double &component : velocity_)
     component = arguments.number("the fluid velocity ux uy uz after 'uniform'", -FASTEST, FASTEST);
 
   std::string law = "gidaspow";
+  double sphericity = 0.0;    // none
   while (arguments.more()) {
-    const std::string keyword =
-      arguments.keyword({"density", "viscosity", "drag", "buoyancy", "rotation"});
+    const std::string keyword = arguments.keyword(
+      {"density", "viscosity", "drag", "sphericity", "buoyancy", "rotation", "magnus"});
     if (keyword == "density") density_ = arguments.positive("density", 1.0 / WIDEST, WIDEST);
     else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity", 1.0 / WIDEST, WIDEST);
     else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
+    else if (keyword == "sphericity") sphericity = arguments.positive("sphericity", 0.01, 1.0);
     else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
+    else if (keyword == "magnus") magnus_ = arguments.yesNo("magnus");
     else rotation_ = arguments.yesNo("rotation");
   }
   if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
   if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
 
-  law_ = grainjet::drag::findLaw(law);
+  set_law(arguments, law, sphericity);
+
+  if (magnus_ && !rotation_ && comm->me == 0)
+    error->warning(FLERR, "Fix fluid/force: magnus yes without rotation yes: the spin that contacts give to grains "
+      "never decays; add rotation yes");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void UniformFlow::set_law(FixArguments &arguments, const std::string &name, double sphericity)
+{
+  using namespace grainjet::drag;
+
+  const ShapedLaw *shaped = findShapedLaw(name);
+  if (shaped) {
+    if (sphericity == 0.0)
+      arguments.fail("drag " + name + " needs the keyword sphericity, surface of the sphere of equal volume over that "
+        "of the particle");
+    if (sphericity < shaped->least) {
+      char text[128];
+      snprintf(text, sizeof(text), "sphericity of drag %s must be from %g to 1, not %g", name.c_str(), shaped->least,
+        sphericity);
+      arguments.fail(text);
+    }
+    law_ = shaped->make(sphericity);
+    return;
+  }
+
+  law_ = findLaw(name);
   if (!law_)
-    arguments.fail("unknown drag law '" + law + "'; valid laws are "
-      + grainjet::drag::lawNames());
+    arguments.fail("unknown drag law '" + name + "'; valid laws are " + lawNames() + ", " + shapedLawNames());
+  if (sphericity != 0.0)
+    arguments.fail("drag " + name + " is a law of spheres; take the keyword sphericity out, or use "
+      + shapedLawNames());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -115,8 +154,54 @@ double UniformFlow::dragCoefficient(int i, const double *other, double kick,
 
 /* ---------------------------------------------------------------------- */
 
-double UniformFlow::spinCoefficient(int i) const
+double UniformFlow::spinReynolds(int i) const
+{
+  const double cg = force->cg(atom->type[i]), d = 2.0 * atom->radius[i] / cg;
+  const double *omega = atom->omega[i];
+  return cg * std::sqrt(omega[0]*omega[0] + omega[1]*omega[1] + omega[2]*omega[2]) * d * d / viscosity_;
+}
+
+double UniformFlow::spinCoefficient(int i, double kick) const
 {
   const double cg = force->cg(atom->type[i]);
-  return 6.0 * density_ * viscosity_ * cg * cg * volume(atom->radius[i]);
+  const double slow = 6.0 * density_ * viscosity_ * cg * cg * volume(atom->radius[i]);
+  const double spinRe = spinReynolds(i);
+  if (spinRe < 31.0) return slow;    // where the factor is 1
+  const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+  return slow * grainjet::lift::meanSpinTorqueFactor(spinRe, slow * kick / inertia);
+}
+
+/* ----------------------------------------------------------------------
+   The coefficient is taken at the mean slip, which depends on the lift: twice.
+------------------------------------------------------------------------- */
+
+void UniformFlow::lift(int i, const double *other, double kick, double before, double *force_of_lift) const
+{
+  const double cg = force->cg(atom->type[i]), d = 2.0 * atom->radius[i] / cg, mass = atom->rmass[i];
+  const double *omega = atom->omega[i];
+  double spin = viscosity_ * spinReynolds(i) / (d * d), kept = 1.0;
+  if (rotation_) {
+    const double inertia = 0.4 * mass * atom->radius[i] * atom->radius[i];
+    kept = grainjet::lift::meanOfDecay(spinCoefficient(i, kick) * kick / inertia);
+    spin *= kept;
+  }
+
+  double slip[3], total[3], L[3];
+  for (int dim = 0; dim < 3; dim++) {
+    slip[dim] = velocity_[dim] - atom->v[i][dim];
+    total[dim] = other[dim];
+  }
+  double slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
+  for (int pass = 0; pass < 2; pass++) {
+    // W x slip = slip x w, as the flow does not turn: W = -w
+    const double M = cg * cg * cg * grainjet::lift::magnus(d, density_, viscosity_, slipSpeed, spin);
+    for (int dim = 0; dim < 3; dim++) L[dim] = M * kept * cg * omega[dim];
+    const double b = dragCoefficient(i, total, kick, before);
+    const grainjet::lift::MeanLift lift(slip, other, L, b, kick, mass);
+    for (int dim = 0; dim < 3; dim++) {
+      force_of_lift[dim] = lift.force[dim];
+      total[dim] = other[dim] + lift.force[dim];
+    }
+    slipSpeed = lift.slipSpeed();
+  }
 }

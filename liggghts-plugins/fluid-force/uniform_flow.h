@@ -11,14 +11,19 @@
 
 #include "physics/drag/drag_state.h"
 
+#include <functional>
+#include <string>
+
 namespace grainjet { class FixArguments; }
 
 namespace LAMMPS_NS {
 
 /* The given flow of fix fluid/force uniform, and what it does to a grain:
 
-     uniform ux uy uz density rho viscosity nu [drag name] [buoyancy yes|no]
-       [rotation yes|no]                                                            */
+     uniform ux uy uz density rho viscosity nu [drag name [sphericity phi]]
+       [buoyancy yes|no] [rotation yes|no] [magnus yes|no]
+
+   A uniform flow has no vorticity: it does not turn grains, and has no lift by shear.     */
 class UniformFlow : protected Pointers {
  public:
 
@@ -30,6 +35,7 @@ class UniformFlow : protected Pointers {
 
   const double *velocity() const { return velocity_; }    // m/s
   bool rotation() const { return rotation_; }
+  bool magnus() const { return magnus_; }
 
   // buoyancy per volume (N/m3), -density times gravity; 0 with buoyancy no
   void buoyancy(double *) const;
@@ -43,10 +49,16 @@ class UniformFlow : protected Pointers {
   // or else, and where there is none (0), one more evaluation of the law.
   double dragCoefficient(int i, const double *other, double kick, double before) const;
 
-  // Torque per angular velocity (kg m2/s) of a sphere that spins in fluid at rest,
-  // pi mu d^3 (Stokes; Happel & Brenner 1983, section 5-3). A grain's spin decays at the
-  // rate of its particles', so that their rotational energies stay equal: 6 mu f_cg^2 V.
-  double spinCoefficient(int i) const;
+  // Torque per angular velocity (kg m2/s) of grain i over a kick (s), pi mu d^3 times the factor of fast
+  // spin (physics/lift/spin_torque.h), the mean over the decay within the kick. A grain's spin
+  // decays at the rate of its particles', so that their rotational energies stay equal:
+  // 6 mu f_cg^2 V for slow spin.
+  double spinCoefficient(int i, double kick) const;
+
+  // Magnus' lift (N) on grain i over a kick under another force (N), by the spin and diameter of its
+  // particles (physics/lift/magnus.h), at the mean slip and spin of the kick
+  // (physics/lift/mean_lift.h). before: as for dragCoefficient()
+  void lift(int i, const double *other, double kick, double before, double *force) const;
 
   static double volume(double radius);
 
@@ -55,9 +67,12 @@ class UniformFlow : protected Pointers {
   double velocity_[3];
   double density_;                  // kg/m3
   double viscosity_;                // m2/s, kinematic
-  grainjet::drag::Law law_;
-  bool buoyancy_, rotation_;
+  std::function<double(const grainjet::drag::State &)> law_;
+  bool buoyancy_, rotation_, magnus_;
   class FixGravity *gravity_;
+
+  void set_law(grainjet::FixArguments &, const std::string &name, double sphericity);
+  double spinReynolds(int i) const;    // |w| d^2/nu of the particles of grain i
 };
 
 }

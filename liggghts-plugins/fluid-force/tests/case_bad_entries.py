@@ -37,14 +37,18 @@ ENTRIES = {
     "uniform": Entry("velocity", "1 0 0", required=True),
     "density": Entry("positive", "1.2", required=True),
     "viscosity": Entry("positive", "1.5e-5", required=True),
-    "drag": Entry("choice", "stokes"),
+    # the one needs the other
+    "drag": Entry("choice", "ganser", required=True),
+    "sphericity": Entry("sphericity", "0.8", required=True),
     "buoyancy": Entry("switch", "yes"),
     "rotation": Entry("switch", "yes"),
+    "magnus": Entry("switch", "yes"),
 }
 KINDS = {"velocity": [(what, text.replace("x", bad)) for text in ("x 0 0", "0 0 x")
                       for what, bad in (("a word", "up"), ("not a number", "nan"), ("infinite", "inf"),
                                         ("huge", "1e300"), ("minus huge", "-1e300"), ("faster than light", "3e8"))]
          + [("two values", "1 0"), ("four values", "1 0 0 0")],
+         "sphericity": bad_input.values("positive") + [("above one", "1.0001"), ("below the fit", "0.08")],
          "positive": bad_input.values("positive") + [("tiny", "1e-300"), ("with a unit", "1.2kg")]}
 
 

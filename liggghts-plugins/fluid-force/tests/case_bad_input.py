@@ -56,7 +56,14 @@ class BadInput(grainjet.Case):
                 ("uniform 1 0 0 density 1.2kg viscosity 1", ("'1.2kg' is not a number",)),
                 (f"uniform 1 0 0 {AIR} drag Gidaspow",
                  ("'Gidaspow'", "gidaspow, wenYu, ergun, schillerNaumann, stokes, diFelice, "
-                  "kochHill, beetstra")),
+                  "kochHill, beetstra, haiderLevenspiel, ganser")),
+                (f"uniform 1 0 0 {AIR} drag ganser", ("drag ganser needs the keyword sphericity",)),
+                (f"uniform 1 0 0 {AIR} drag haiderLevenspiel sphericity 0.02",
+                 ("sphericity of drag haiderLevenspiel must be from 0.026 to 1, not 0.02",)),
+                (f"uniform 1 0 0 {AIR} sphericity 0.8 drag ganser sphericity 0.8", ("sphericity is given twice",)),
+                (f"uniform 1 0 0 {AIR} sphericity 80 drag ganser", ("sphericity must be from 0.01 to 1, not 80",)),
+                (f"uniform 1 0 0 {AIR} sphericity 0.8", ("gidaspow is a law of spheres",)),
+                (f"uniform 1 0 0 {AIR} magnus maybe", ("magnus must be yes or no",)),
                 (f"uniform 1 0 0 {AIR} drag", ("missing", "drag law")),
                 (f"uniform 1 0 0 {AIR} buoyancy on", ("buoyancy must be yes or no", "'on'")),
                 (f"uniform 1 0 0 {AIR} rotation", ("missing rotation",)),
@@ -79,6 +86,12 @@ class BadInput(grainjet.Case):
         self.refused(good, "granular", style="atomic")
         self.refused("fix f all fluid/force coupled", "orthogonal",
                      box="prism -1 1 -1 1 -1 1 0.1 0 0")
+
+    def test_magnus_without_rotation(self):
+        """A warning, and the run goes on."""
+        for rotation, warnings in (("no", 1), ("yes", 0)):
+            result = self.liggghts(self.script(f"fix f all fluid/force uniform 1 0 0 {AIR} magnus yes rotation {rotation}"), 2)
+            self.assertEqual(result.output.count("magnus yes without rotation yes"), warnings, result)
 
     def test_on_two_ranks(self):
         """One message, all ranks end, no hang."""

@@ -9,7 +9,8 @@ import math
 import unittest
 
 import grainjet
-from grainjet import coupled_box as box, dictionaries, dumps
+from grainjet import coupled_box as box, dumps
+import shear_flow
 import user_library
 
 RHO, NU, RHO_P = 1.2, 1.5e-5, 2500.0
@@ -49,24 +50,7 @@ class Models(grainjet.Case):
         return dumps.last(folder / f"grains.{10 * steps}.dump")
 
     def shear(self, folder, temperature=None):
-        """Couette flow: u_x = SHEAR z between moving walls, which the solver keeps to round-off. T, if
-        asked for, is linear in z, too."""
-        def field(name, cls, dimensions, values, low, high):
-            kind = "vector" if cls == "volVectorField" else "scalar"
-            dictionaries.write_field(folder, name, dimensions, f"nonuniform List<{kind}> 128 ({values})",
-                                     f'zlo {{ {low} }} zhi {{ {high} }} "[xy].*" {{ type cyclic; }}')
-
-        z = [0.0025 + 0.005 * (i // 16) for i in range(128)]
-        field("U", "volVectorField", "[0 1 -1 0 0 0 0]", " ".join(f"({SHEAR * h!r} 0 0)" for h in z),
-              "type fixedValue; value uniform (0 0 0);", f"type fixedValue; value uniform ({SHEAR * 0.04!r} 0 0);")
-        field("p", "volScalarField", "[0 2 -2 0 0 0 0]", "0 " * 128, "type zeroGradient;", "type zeroGradient;")
-        if temperature:
-            low, high = temperature
-            field("T", "volScalarField", "[0 0 0 1 0 0 0]",
-                  " ".join(repr(low + (high - low) * h / 0.04) for h in z),
-                  f"type fixedValue; value uniform {low};", f"type fixedValue; value uniform {high};")
-            path = folder / "system/fvSolution"
-            path.write_text(path.read_text().replace('"U.*"', '"(U|T).*"'))
+        shear_flow.write(folder, SHEAR, temperature)
 
     # ---- drag law with a coefficient
 

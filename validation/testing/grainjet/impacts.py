@@ -21,7 +21,8 @@ class Material:
     poisson: float
     restitution: float
     friction: float
-    rigid: bool = False       # the other body: same material, or rigid
+    rigid: bool = False       # the other body: same material, or rigid,
+    other: tuple = None       # or this Young's modulus and Poisson's ratio
 
 
 @dataclasses.dataclass
@@ -51,7 +52,8 @@ class Result:
 
 
 def effective_youngs(m):
-    other = 0.0 if m.rigid else (1 - m.poisson ** 2) / m.youngs
+    youngs, poisson = m.other or (m.youngs, m.poisson)
+    other = 0.0 if m.rigid else (1 - poisson ** 2) / youngs
     return 1.0 / ((1 - m.poisson ** 2) / m.youngs + other)
 
 
@@ -85,7 +87,9 @@ def script(folder, material, ball, impacts, plane, factor, dt, steps, extra):
                       + (() if plane else ((-share * impact.normal, -share * impact.tangential, 0), (0, 0, impact.spin))))
     (folder / "data").write_text(scripts.data(
         grains, ((0, len(impacts) * spacing), (-width, width), (-width, width)), types=2))
-    other = 1e6 * material.youngs if material.rigid else material.youngs
+    other, other_poisson = material.other or (material.youngs, material.poisson)
+    if material.rigid:
+        other = 1e6 * material.youngs
     e, mu = material.restitution, material.friction
     return f"""plugin load hertzcgplugin.so
 coarsegraining {factor}
@@ -97,7 +101,7 @@ communicate single vel yes
 units si
 read_data data
 fix m1 all property/global youngsModulus peratomtype {material.youngs!r} {other!r}
-fix m2 all property/global poissonsRatio peratomtype {material.poisson} {material.poisson}
+fix m2 all property/global poissonsRatio peratomtype {material.poisson} {other_poisson}
 fix m3 all property/global coefficientRestitution peratomtypepair 2 {e} {e} {e} {e}
 fix m4 all property/global coefficientFriction peratomtypepair 2 {mu} {mu} {mu} {mu}
 fix c all hertz/cg

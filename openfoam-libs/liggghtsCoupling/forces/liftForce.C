@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liftForce.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::liftForce::liftForce(const dictionary& dict, forceNeeds& needs)
+:
+    grainForce(dict, needs),
+    limited_(false),
+    warned_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::liftForce::addLift(grainBatch& grains, const lane* L) const
+{
+    const scalar interval = fluid_.mesh().time().deltaTValue();
+
+    bool any = false;
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        const scalar b = grains.Sp[i] + grains.nonReactingSp[i];
+        const scalar largest = 0.25*max(sqr(b), 2*b*grains.mass[i]/interval);
+
+        const vector slip
+        (
+            grainBatch::get(grains.fluidVelocity, i) - grainBatch::get(grains.velocity, i)
+        );
+        vector lift(grains.particles[i]*grainBatch::get(L, i));
+        const scalar square = magSqr(lift);
+
+        if (b > 0 && square > largest)
+        {
+            lift *= sqrt(largest/square);
+            any = true;
+        }
+        grainBatch::add(grains.Su, i, slip ^ lift);
+    }
+    limited_ = limited_ || any;
+}
+
+
+void Foam::liftForce::prepare()
+{
+    if (warned_)
+    {
+        return;
+    }
+    warned_ = returnReduce(limited_, orOp<bool>());
+    if (warned_)
+    {
+        IOWarningInFunction(dict_)
+            << "forces: " << type() << " exceeds the drag of some grains, and the fluid step is"
+            << " not short against the time in which drag slows them down. It has been limited to"
+            << " what can be integrated. Shorten the fluid step, with couplingInterval, if these"
+            << " grains matter" << endl;
+    }
+}
+
+
+// ************************************************************************* //

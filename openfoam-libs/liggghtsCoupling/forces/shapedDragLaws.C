@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The drag laws of liggghts-plugins/physics/drag/shaped_drag.h, with an entry sphericity.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dragLaw.H"
+#include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
+#include "physics/drag/shaped_drag.h"
+
+#include <cstdio>
+
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace
+{
+
+//- A law of particles of a given sphericity
+template<class Law>
+class shapedDragLaw
+:
+    public dragLaw
+{
+    const Law law_;
+    const label voidFraction_;
+    const label rho_;
+    const label nu_;
+
+    //- The entry, within what the law was fitted to
+    static scalar sphericity(const dictionary& dict)
+    {
+        const scalar value = dict.get<scalar>("sphericity");
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                if (!(value >= Law::LEAST && value <= 1))
+                {
+                    // The precision of the case would print all digits
+                    char limits[80];
+                    snprintf(limits, sizeof(limits), "%g to 1, not %g", Law::LEAST, value);
+                    FatalIOErrorInFunction(dict)
+                        << "sphericity must be from " << limits << ": surface of the sphere of equal volume over that of the particle"
+                        << exit(FatalIOError);
+                }
+            }
+        );
+        return value;
+    }
+
+public:
+
+    //- Runtime type information
+    TypeName("shapedDragLaw");
+
+    shapedDragLaw(const dictionary& dict, forceNeeds& needs)
+    :
+        dragLaw
+        (
+            dict,
+            {{"sphericity", {knownEntries::valueType::NUMBER, knownEntries::REQUIRED}}}
+        ),
+        law_(sphericity(dict)),
+        voidFraction_(needs.quantity("voidFraction")),
+        rho_(needs.quantity("rho")),
+        nu_(needs.quantity("nu"))
+    {}
+
+    virtual void coefficient
+    (
+        const grainBatch& grains,
+        const lane& slipSpeed,
+        lane& coefficient
+    ) const
+    {
+        const lane& voidFraction = *grains.fluid(voidFraction_);
+        const lane& rho = *grains.fluid(rho_);
+        const lane& nu = *grains.fluid(nu_);
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            coefficient[i] = law_
+            (
+                grainjet::drag::State
+                {
+                    voidFraction[i], slipSpeed[i], grains.particleDiameter[i],
+                    rho[i], nu[i]
+                }
+            );
+        }
+    }
+};
+
+} // End anonymous namespace
+
+#define makeShapedDragLaw(Name)                                               \
+    typedef shapedDragLaw<grainjet::drag::Name> Name##DragLaw;                \
+    defineTemplateTypeNameAndDebugWithName(Name##DragLaw, #Name, 0);          \
+    addToRunTimeSelectionTable(dragLaw, Name##DragLaw, dictionary);
+
+makeShapedDragLaw(HaiderLevenspiel)
+makeShapedDragLaw(Ganser)
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

@@ -1,0 +1,49 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad entries of the models of lift and torque, and of drag with a sphericity: one error with file, entry and limits."""
+# processors: 2
+
+import unittest
+
+import bad_case
+from grainjet import coupled_box as box
+
+
+class LiftEntries(bad_case.BadCase):
+
+    def options(self, forces, drag=None):
+        folder = self.fresh()
+        box.fv_options(folder, drag=drag, forces=forces)
+        return folder
+
+    def test_good(self):
+        for ranks in (0, 2):
+            folder = self.options("{ drag { model HaiderLevenspiel; sphericity 1; } SaffmanMei {} Magnus {} fluidTorque {} }")
+            said = self.assertRuns(folder, ranks=ranks).output
+            self.assertIn("Forces: drag (HaiderLevenspiel) SaffmanMei Magnus fluidTorque", said)
+        self.assertRuns(self.options("(SaffmanMei Magnus fluidTorque)", drag="Stokes"))
+
+    def test_unknown_entries(self):
+        for model in ("SaffmanMei", "Magnus", "fluidTorque"):
+            self.assertRefused(self.options(f"{{ drag {{}} {model} {{ C 1; }} }}"), "constant/fvOptions", f"Unknown entry C", model)
+        self.assertRefused(self.options("{ drag {} Saffman {} }"), "Unknown force Saffman", "SaffmanMei")
+
+    def test_sphericity(self):
+        for law, least in (("HaiderLevenspiel", "0.026"), ("Ganser", "0.09")):
+            for value in ("0", "-0.5", "1.001", "0.0259", "80"):
+                for ranks in (0, 2) if value == "80" else (0,):
+                    self.assertRefused(self.options(f"{{ drag {{ model {law}; sphericity {value}; }} }}"), "constant/fvOptions",
+                                       f"sphericity must be from {least} to 1, not", ranks=ranks)
+            for value in ("round", "nan", "(1 2)", ""):
+                self.assertRefused(self.options(f"{{ drag {{ model {law}; sphericity {value}; }} }}"), "sphericity")
+            for ranks in (0, 2):
+                self.assertRefused(self.options(f"{{ drag {{ model {law}; }} }}"), "constant/fvOptions",
+                                   "Entry sphericity is missing", ranks=ranks)
+            self.assertRefused(self.options("()", drag=law), "Entry sphericity is missing")
+            self.assertRefused(self.options(f"{{ drag {{ model {law}; phi 0.8; sphericity 0.8; }} }}"), "Unknown entry phi")
+        self.assertRefused(self.options("{ drag { model Gidaspow; sphericity 0.8; } }"), "Unknown entry sphericity")
+
+
+if __name__ == "__main__":
+    unittest.main()
