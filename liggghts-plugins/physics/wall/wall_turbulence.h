@@ -36,6 +36,9 @@ public:
     epsilonEdge_(sublayerEdge), kEdge_(1.0 / std::sqrt(0.07 * std::sqrt(Cmu)))
   {}
 
+  // y+ below which k falls
+  double edgeOfK() const { return kEdge_; }
+
   // Of k: 1 in the log layer
   double k(double yPlus) const
   {

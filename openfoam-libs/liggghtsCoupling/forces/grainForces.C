@@ -231,7 +231,7 @@ Foam::grainForces::grainForces
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
     }
-    sampler_ = fluidSampler::New(dict, locator);
+    sampler_ = fluidSampler::New(dict, fluid, locator);
 }
 
 
@@ -250,6 +250,7 @@ void Foam::grainForces::report(Ostream& os) const
         }
     }
     os  << (forces_.empty() ? " none" : "") << nl;
+    sampler_->report(os);
 }
 
 
