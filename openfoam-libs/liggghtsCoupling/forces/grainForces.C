@@ -232,7 +232,7 @@ Foam::grainForces::grainForces
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
     }
     dispersion_ = turbulentDispersion::New(dict, needs_);
-    sampler_ = fluidSampler::New(dict, locator);
+    sampler_ = fluidSampler::New(dict, fluid, locator);
 }
 
 
@@ -255,6 +255,7 @@ void Foam::grainForces::report(Ostream& os) const
     {
         os  << "    Turbulent dispersion: " << dispersion_->summary().c_str() << nl;
     }
+    sampler_->report(os);
 }
 
 

@@ -58,6 +58,17 @@ inline void Foam::cellPointSampler::put
 }
 
 
+void Foam::cellPointSampler::weigh(const grainBatch& grains, tetBatch& batch) const
+{
+    static_assert(tetBatch::size == grainBatch::size, "one point per grain");
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        put(grains, i, batch);
+    }
+    batch.weigh();
+}
+
+
 Foam::cellPointSampler::weights Foam::cellPointSampler::search
 (
     const point& p,
@@ -129,71 +140,15 @@ void Foam::cellPointSampler::update(const sampledFields& fields)
 
 void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
 {
-    // A point on a common face of tetrahedra may be taken for either: the
-    // interpolation is continuous
-    const scalar tolerance = -1e-10;
-
-    static_assert(tetBatch::size == grainBatch::size, "one point per grain");
-    tetBatch batch;
-    for (label i = 0; i < grainBatch::size; ++i)
-    {
-        put(grains, i, batch);
-    }
-    batch.weigh();
-
-    const label nLanes = values_.nLanes();
-    for (label i = 0; i < grainBatch::size; ++i)
-    {
-        weights at;
-        if (hasPyramid(grains, i) && batch.least[i] >= tolerance)
+    forGrains
+    (
+        grains,
+        [&](const label i, const weights& at)
         {
-            const FixedList<label, 4>& points = corners_[grains.pyramid[i]];
-            for (label k = 0; k < 4; ++k)
-            {
-                at.w[k] = batch.weights[k][i];
-            }
-            at.points[0] = points[0];
-            at.points[1] = points[2];
-            at.points[2] = points[1 + 2*label(batch.isOther[i])];
+            interpolate(at, grains.cell[i], i, lanes);
         }
-        else if (i < grains.n)
-        {
-            at = search(position(grains, i), grains.cell[i]);
-        }
-        else
-        {
-            for (label k = 0; k < nLanes; ++k)
-            {
-                lanes[k][i] = lanes[k][grains.n - 1];
-            }
-            continue;
-        }
-
-        const scalar* v0 = values_.inCell(grains.cell[i]);
-        const scalar* v1 = values_.atPoint(at.points[0]);
-        const scalar* v2 = values_.atPoint(at.points[1]);
-        const scalar* v3 = values_.atPoint(at.points[2]);
-        values_.forBlocks
-        (
-            [&](const auto nBlocks, const label firstBlock)
-            {
-                constexpr label n = nBlocks*pointValues::blockSize;
-                const label first = firstBlock*pointValues::blockSize;
-                scalar sum[n];
-                for (label k = 0; k < n; ++k)
-                {
-                    const label c = first + k;
-                    sum[k] =
-                        at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
-                }
-                // The last ones of a row may be no lane: there is room for them
-                for (label k = 0; k < n; ++k)
-                {
-                    lanes[first + k][i] = sum[k];
-                }
-            }
-        );
-    }
+    );
+    repeatLast(grains, lanes);
 }
 
 

@@ -14,29 +14,42 @@
 Foam::coupledPoints::coupledPoints
 (
     const polyMesh& mesh,
-    const coincidentPoints::identity by
+    const coincidentPoints::identity by,
+    const labelUList& number
 )
 :
     members_(),
     firstMember_(),
-    nPoints_(mesh.nPoints()),
+    nPoints_(number.empty() ? mesh.nPoints() : max(number) + 1),
     needed_(Pstream::nProcs()),
     nArriving_(Pstream::nProcs(), Zero)
 {
     typedef coincidentPoints::rankPoint rankPoint;
     const label me = Pstream::myProcNo();
     const coincidentPoints same(mesh, by);
+    const auto numberOf = [&](const label pointi)
+    {
+        return number.empty() ? pointi : number[pointi];
+    };
 
     // Where values from a rank begin is known once all of them are counted
     DynamicList<rankPoint> arriving;
     for (const List<rankPoint>& group : same.groups())
     {
+        const auto own = std::find_if
+        (
+            group.begin(), group.end(), [&](const rankPoint& p){ return p.first() == me; }
+        );
+        if (numberOf(own->second()) < 0)
+        {
+            continue;
+        }
         firstMember_.append(members_.size());
         for (const rankPoint& p : group)
         {
             if (p.first() == me)
             {
-                members_.append(p.second());
+                members_.append(numberOf(p.second()));
             }
             else
             {
@@ -54,7 +67,7 @@ Foam::coupledPoints::coupledPoints
                 {
                     if (q.first() == me)
                     {
-                        needed_[p.first()].append(q.second());
+                        needed_[p.first()].append(numberOf(q.second()));
                     }
                 }
             }

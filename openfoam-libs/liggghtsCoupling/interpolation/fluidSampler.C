@@ -8,6 +8,7 @@
 #include "couplingEntries.H"
 #include "interpolation.H"
 #include "schemeSampler.H"
+#include "wallLawSampler.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,6 +20,41 @@ namespace Foam
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
+(
+    const dictionary& dict,
+    const carrierFluid& fluid,
+    const cellLocator& locator
+)
+{
+    if (!dict.lookupOrDefault<bool>("wallLaw", false))
+    {
+        return New(dict, locator);
+    }
+
+    const word scheme(dict.lookupOrDefault<word>("interpolation", "cellPoint"));
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (scheme != cellPointSampler::typeName)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "wallLaw yes with interpolation " << scheme << ": the law of the wall goes"
+                    << " together with cellPoint only. Write interpolation cellPoint, or remove"
+                    << " wallLaw" << exit(FatalIOError);
+            }
+        }
+    );
+    if (wallFunctions::laminar(fluid))
+    {
+        Info<< "liggghtsCoupling: wallLaw changes nothing, since the flow is laminar" << endl;
+        return New(dict, locator);
+    }
+    return autoPtr<fluidSampler>(new wallLawSampler(dict, fluid, locator));
+}
+
 
 Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
 (

@@ -1,0 +1,247 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallLawSampler.H"
+#include "couplingEntries.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(wallLawSampler, 0);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Means at points would mix vectors of different directions
+const Foam::dictionary& checkedSides(const Foam::dictionary& dict, const Foam::polyMesh& mesh)
+{
+    Foam::word rotated;
+    for (const Foam::polyPatch& patch : mesh.boundaryMesh())
+    {
+        if
+        (
+            Foam::isA<Foam::cyclicPolyPatch>(patch)
+         && !Foam::refCast<const Foam::coupledPolyPatch>(patch).parallel()
+        )
+        {
+            rotated = patch.name();
+        }
+    }
+    Foam::couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!rotated.empty())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "wallLaw cannot be used with periodic sides that are rotated, such as patch "
+                    << rotated << ". Take cyclicAMI or symmetry planes there, or remove wallLaw"
+                    << Foam::exit(Foam::FatalIOError);
+            }
+        }
+    );
+    return dict;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+inline const Foam::scalar* Foam::wallLawSampler::row
+(
+    const label pointi,
+    const label number
+) const
+{
+    const label p = layer_.pointNumber(pointi);
+    return
+        rows_.data()
+      + width_*(layer_.points()[p].twoSided ? ownWall_[number] : layer_.nCells() + p);
+}
+
+
+void Foam::wallLawSampler::choose(const sampledFields& fields)
+{
+    typedef grainjet::wall::WallTurbulence shapes;
+
+    U_ = -1;
+    scalars_.clear();
+    for (const sampledFields::field& field : fields.fields)
+    {
+        if (field.vector)
+        {
+            U_ = (field.vector == &fluid_.U() ? field.lane : U_);
+            continue;
+        }
+        const word name(field.scalar->name());
+        const word quantity(name.substr(0, name.find(':')));
+        const auto shape =
+            quantity == "k" ? &shapes::k
+          : quantity == "epsilon" ? &shapes::epsilon
+          : quantity == "nut" ? &shapes::nut : nullptr;
+        if (shape)
+        {
+            scalars_.append(shapedScalar{field.scalar, field.lane, shape});
+        }
+    }
+    width_ = scalars_.empty() ? label(WIDTH_OF_VELOCITY) : label(LARGEST_WIDTH);
+}
+
+
+template<Foam::label width>
+inline void Foam::wallLawSampler::apply
+(
+    const weights& at,
+    const label number,
+    const label i,
+    grainBatch::lane* lanes
+) const
+{
+    const scalar* r0 = rows_.data() + width*number;
+    const scalar* r1 = row(at.points[0], number);
+    const scalar* r2 = row(at.points[1], number);
+    const scalar* r3 = row(at.points[2], number);
+    scalar sum[width];
+    for (label k = 0; k < width; ++k)
+    {
+        sum[k] = at.w[0]*r0[k] + at.w[1]*r1[k] + at.w[2]*r2[k] + at.w[3]*r3[k];
+    }
+
+    // Weights may be negative by round-off
+    const scalar y = max(sum[DISTANCE], scalar(0));
+    const scalar F = length(y, max(sum[FRICTION], scalar(0)));
+    for (label k = 0; k < 3; ++k)
+    {
+        lanes[U_ + k][i] = sum[LINEAR + k] + F*sum[OVER_LAW + k];
+    }
+    if (width > WIDTH_OF_VELOCITY)
+    {
+        forAll(scalars_, s)
+        {
+            lanes[scalars_[s].lane][i] =
+                sum[SCALARS + s]*(turbulence_.*scalars_[s].shape)(y*sum[TURBULENT_FRICTION]);
+        }
+    }
+}
+
+
+void Foam::wallLawSampler::findConstrained()
+{
+    for (const polyPatch& patch : fluid_.mesh().boundaryMesh())
+    {
+        if
+        (
+            isA<symmetryPlanePolyPatch>(patch) || isA<symmetryPolyPatch>(patch)
+         || isA<wedgePolyPatch>(patch)
+        )
+        {
+            forAll(patch.meshPoints(), i)
+            {
+                const label number = layer_.pointNumber(patch.meshPoints()[i]);
+                if (number >= 0 && layer_.points()[number].onWall)
+                {
+                    constrained_.append(number);
+                    constraints_.append(patch.pointNormals()[i]);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::wallLawSampler::wallLawSampler
+(
+    const dictionary& dict,
+    const carrierFluid& fluid,
+    const cellLocator& locator
+)
+:
+    cellPointSampler(locator),
+    fluid_(fluid),
+    walls_(checkedSides(dict, locator.mesh()), fluid),
+    layer_(locator.mesh(), walls_.faces()),
+    law_(walls_.kappa(), walls_.E()),
+    turbulence_(walls_.sublayerEdge(), walls_.Cmu()),
+    U_(-1),
+    width_(0),
+    ownWall_(layer_.nCells(), -1),
+    nRows_(layer_.nCells() + layer_.points().size())
+{
+    for (label number = 0; number < layer_.nCells(); ++number)
+    {
+        for (const wallLayer::share& s : layer_.sharesOfCell(number))
+        {
+            if (layer_.points()[s.point].twoSided && ownWall_[number] < 0)
+            {
+                ownWall_[number] = nRows_++;
+            }
+        }
+    }
+    findConstrained();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::wallLawSampler::report(Ostream& os) const
+{
+    os  << "    Law of the wall: " << returnReduce(layer_.nCells(), sumOp<label>())
+        << " cells at " << flatOutput(walls_.names()) << nl;
+}
+
+
+void Foam::wallLawSampler::update(const sampledFields& fields)
+{
+    cellPointSampler::update(fields);
+    choose(fields);
+    rows_.resize(width_*nRows_);
+
+    const List<wallFunctions::faceState> faces(walls_.states());
+    const List<wallFunctions::faceState> points(atPoints(faces));
+    const List<wallFunctions::faceState> cells(atCells(faces, points));
+    setCells(cells);
+    setPoints(points, cells);
+}
+
+
+void Foam::wallLawSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
+{
+    forGrains
+    (
+        grains,
+        [&](const label i, const weights& at)
+        {
+            interpolate(at, grains.cell[i], i, lanes);
+            const label number = layer_.cellNumber(grains.cell[i]);
+            if (number >= 0)
+            {
+                if (scalars_.empty())
+                {
+                    apply<WIDTH_OF_VELOCITY>(at, number, i, lanes);
+                }
+                else
+                {
+                    apply<LARGEST_WIDTH>(at, number, i, lanes);
+                }
+            }
+        }
+    );
+    repeatLast(grains, lanes);
+}
+
+
+// ************************************************************************* //
