@@ -186,7 +186,7 @@ Foam::wallLawSampler::wallLawSampler
     fluid_(fluid),
     walls_(checkedSides(dict, locator.mesh()), fluid),
     layer_(locator.mesh(), walls_.faces()),
-    law_(walls_.kappa(), walls_.E()),
+    law_(grainjet::wall::Spalding(walls_.kappa(), walls_.E())),
     turbulence_(walls_.sublayerEdge(), walls_.Cmu()),
     U_(-1),
     k_(nullptr),
