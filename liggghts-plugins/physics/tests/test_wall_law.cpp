@@ -5,6 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "physics/wall/spalding.h"
+#include "physics/wall/spalding_table.h"
 #include "physics/wall/wall_turbulence.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 using grainjet::wall::Spalding;
+using grainjet::wall::SpaldingTable;
 using grainjet::wall::WallTurbulence;
 
 namespace {
@@ -100,6 +102,31 @@ TEST(Spalding, RisesAndBends)
     u = law.uPlus(y);
     ratio = law.ratio(y);
   }
+}
+
+// Within 1e-7 also between the nodes and at both ends; the wall's own limit is exact
+TEST(SpaldingTable, IsTheLaw)
+{
+  for (double E : {5.0, 9.8}) {
+    const Spalding law(0.41, E);
+    const SpaldingTable table(law);
+    for (double e = -12; e < 9; e += 0.00317) {
+      const double y = std::pow(10.0, e);
+      EXPECT_NEAR(table.uPlus(y), law.uPlus(y), 1e-7 * law.uPlus(y)) << y;
+    }
+    EXPECT_EQ(table.uPlus(0), 0);
+    EXPECT_EQ(table.ratio(0), 1);
+  }
+}
+
+TEST(SpaldingTable, Continuous)
+{
+  const SpaldingTable table{Spalding()};
+  for (int octave = 0; octave < 23; ++octave)
+    for (int i = 0; i < 32; ++i) {
+      const double node = std::ldexp(1 + i / 32.0, octave) - 1, step = 1e-12 * (1 + node);
+      if (node > 0) EXPECT_NEAR(table.uPlus(node - step), table.uPlus(node + step), 1e-8) << node;
+    }
 }
 
 TEST(WallTurbulence, LogLayer)

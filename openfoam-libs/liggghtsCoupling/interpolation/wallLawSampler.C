@@ -26,8 +26,10 @@ namespace
 // Means at points would mix vectors of different directions
 const Foam::dictionary& checkedSides(const Foam::dictionary& dict, const Foam::polyMesh& mesh)
 {
-    Foam::word rotated;
-    for (const Foam::polyPatch& patch : mesh.boundaryMesh())
+    // A rank without a face of the side does not know
+    const Foam::polyBoundaryMesh& patches = mesh.boundaryMesh();
+    Foam::label rotated = -1;
+    for (const Foam::polyPatch& patch : patches)
     {
         if
         (
@@ -35,18 +37,20 @@ const Foam::dictionary& checkedSides(const Foam::dictionary& dict, const Foam::p
          && !Foam::refCast<const Foam::coupledPolyPatch>(patch).parallel()
         )
         {
-            rotated = patch.name();
+            rotated = patch.index();
         }
     }
+    Foam::reduce(rotated, Foam::maxOp<Foam::label>());
     Foam::couplingEntries::onMaster
     (
         [&]()
         {
-            if (!rotated.empty())
+            if (rotated >= 0)
             {
                 FatalIOErrorInFunction(dict)
                     << "wallLaw cannot be used with periodic sides that are rotated, such as patch "
-                    << rotated << ". Take cyclicAMI or symmetry planes there, or remove wallLaw"
+                    << patches[rotated].name()
+                    << ". Take cyclicAMI or symmetry planes there, or remove wallLaw"
                     << Foam::exit(Foam::FatalIOError);
             }
         }
@@ -96,13 +100,20 @@ void Foam::wallLawSampler::choose(const sampledFields& fields)
             scalars_.append(shapedScalar{field.scalar, field.lane, shape});
         }
     }
-    width_ = scalars_.empty() ? label(WIDTH_OF_VELOCITY) : label(LARGEST_WIDTH);
+    width_ = label(WIDTH_OF_VELOCITY);
+    if (scalars_.size())
+    {
+        width_ = label(LARGEST_WIDTH);
+        k_ = fluid_.mesh().cfindObject<volScalarField>("k");
+        nu_ = fluid_.nu();
+    }
 }
 
 
 template<Foam::label width>
 inline void Foam::wallLawSampler::apply
 (
+    const grainBatch& grains,
     const weights& at,
     const label number,
     const label i,
@@ -119,8 +130,9 @@ inline void Foam::wallLawSampler::apply
         sum[k] = at.w[0]*r0[k] + at.w[1]*r1[k] + at.w[2]*r2[k] + at.w[3]*r3[k];
     }
 
+    const scalar y = layer_.distance(number, grainBatch::get(grains.position, i), sum[DISTANCE]);
+
     // Weights may be negative by round-off
-    const scalar y = max(sum[DISTANCE], scalar(0));
     const scalar F = length(y, max(sum[FRICTION], scalar(0)));
     for (label k = 0; k < 3; ++k)
     {
@@ -131,7 +143,7 @@ inline void Foam::wallLawSampler::apply
         forAll(scalars_, s)
         {
             lanes[scalars_[s].lane][i] =
-                sum[SCALARS + s]*(turbulence_.*scalars_[s].shape)(y*sum[TURBULENT_FRICTION]);
+                sum[SCALARS + s]*shape(scalars_[s], y*sum[TURBULENT_FRICTION]);
         }
     }
 }
@@ -174,9 +186,10 @@ Foam::wallLawSampler::wallLawSampler
     fluid_(fluid),
     walls_(checkedSides(dict, locator.mesh()), fluid),
     layer_(locator.mesh(), walls_.faces()),
-    law_(walls_.kappa(), walls_.E()),
+    law_(grainjet::wall::Spalding(walls_.kappa(), walls_.E())),
     turbulence_(walls_.sublayerEdge(), walls_.Cmu()),
     U_(-1),
+    k_(nullptr),
     width_(0),
     ownWall_(layer_.nCells(), -1),
     nRows_(layer_.nCells() + layer_.points().size())
@@ -231,11 +244,11 @@ void Foam::wallLawSampler::at(const grainBatch& grains, grainBatch::lane* lanes)
             {
                 if (scalars_.empty())
                 {
-                    apply<WIDTH_OF_VELOCITY>(at, number, i, lanes);
+                    apply<WIDTH_OF_VELOCITY>(grains, at, number, i, lanes);
                 }
                 else
                 {
-                    apply<LARGEST_WIDTH>(at, number, i, lanes);
+                    apply<LARGEST_WIDTH>(grains, at, number, i, lanes);
                 }
             }
         }

@@ -86,10 +86,6 @@ Foam::List<Foam::wallFunctions::faceState> Foam::wallLawSampler::atCells
 
 void Foam::wallLawSampler::setCells(const UList<wallFunctions::faceState>& cells)
 {
-    const auto* k = fluid_.mesh().cfindObject<volScalarField>("k");
-    const tmp<volScalarField> tnu(fluid_.nu());
-    const scalar factor = std::pow(walls_.Cmu(), 0.25);
-
     forAll(cells, number)
     {
         const wallLayer::layerCell& cell = layer_.cell(number);
@@ -102,15 +98,13 @@ void Foam::wallLawSampler::setCells(const UList<wallFunctions::faceState>& cells
         );
         if (scalars_.size())
         {
-            const scalar friction =
-                k
-              ? factor*std::sqrt(max((*k)[cell.cell], scalar(0)))/tnu()[cell.cell]
-              : row[FRICTION];
-            row[TURBULENT_FRICTION] = max(friction, turbulence_.edgeOfK()/cell.distance);
+            row[TURBULENT_FRICTION] =
+                turbulentFriction(cell.cell, cell.distance, row[FRICTION]);
             forAll(scalars_, s)
             {
                 row[SCALARS + s] =
-                    divided(scalars_[s], (*scalars_[s].field)[cell.cell], row);
+                    (*scalars_[s].field)[cell.cell]
+                   /shape(scalars_[s], cell.distance*row[TURBULENT_FRICTION]);
             }
         }
         if (ownWall_[number] >= 0)
@@ -124,33 +118,75 @@ void Foam::wallLawSampler::setCells(const UList<wallFunctions::faceState>& cells
 }
 
 
-Foam::scalarField Foam::wallLawSampler::meanLength(const UList<scalar>& friction) const
+Foam::scalar Foam::wallLawSampler::turbulentFriction
+(
+    const label celli,
+    const scalar distance,
+    const scalar friction
+) const
 {
-    scalarField mean(layer_.points().size(), Zero);
-    const auto add = [&](const label number, const scalar F)
+    const scalar ofK =
+        k_
+      ? std::pow(walls_.Cmu(), 0.25)*std::sqrt(max((*k_)[celli], scalar(0)))/nu_()[celli]
+      : friction;
+    return max(ofK, turbulence_.edgeOfK()/distance);
+}
+
+
+Foam::List<Foam::scalar> Foam::wallLawSampler::meanShapes() const
+{
+    const label width = 1 + scalars_.size();
+    List<scalar> mean(width*layer_.points().size(), Zero);
+    const auto add = [&]
+    (
+        const label number,
+        const scalar distance,
+        const scalar friction,
+        const scalar turbulent
+    )
     {
+        const scalar F = length(distance, friction);
         for (const wallLayer::share& s : layer_.freeShares(number))
         {
-            mean[s.point] += s.weight*F;
+            scalar* sum = &mean[width*s.point];
+            sum[0] += s.weight*F;
+            forAll(scalars_, k)
+            {
+                sum[1 + k] += s.weight*shape(scalars_[k], distance*turbulent);
+            }
         }
     };
+
     for (label number = 0; number < layer_.nCells(); ++number)
     {
         const scalar* row = rows_.data() + width_*number;
-        add(number, length(row[DISTANCE], row[FRICTION]));
+        add
+        (
+            number, row[DISTANCE], row[FRICTION],
+            scalars_.size() ? row[TURBULENT_FRICTION] : 0
+        );
     }
     forAll(layer_.outerDistances(), i)
     {
         const label number = layer_.nCells() + i;
-        scalar sum = 0;
-        for (const wallLayer::share& s : layer_.freeShares(number))
+        const SubList<wallLayer::share> shares(layer_.freeShares(number));
+        if (shares.empty())
         {
-            sum += friction[s.point];
+            continue;
         }
-        const label n = layer_.freeShares(number).size();
-        add(number, length(layer_.outerDistances()[i], n ? sum/n : 0));
+        scalar friction = 0;
+        for (const wallLayer::share& s : shares)
+        {
+            friction += rows_[width_*(layer_.nCells() + s.point) + FRICTION]/shares.size();
+        }
+        const scalar distance = layer_.outerDistances()[i];
+        add
+        (
+            number, distance, friction,
+            scalars_.size() ? turbulentFriction(layer_.outerCell(i), distance, friction) : 0
+        );
     }
-    layer_.sum(mean.data(), 1);
+    layer_.sum(mean.data(), width);
     return mean;
 }
 
@@ -179,12 +215,7 @@ void Foam::wallLawSampler::setPoints
     }
     layer_.sum(pointRow(0), width_);
 
-    scalarField friction(points.size());
-    forAll(friction, i)
-    {
-        friction[i] = pointRow(i)[FRICTION];
-    }
-    const scalarField mean(meanLength(friction));
+    const List<scalar> mean(meanShapes());
 
     // On the wall that is g, and the scalars over their shapes. Beyond, cellPoint has the values
     forAll(points, i)
@@ -198,12 +229,14 @@ void Foam::wallLawSampler::setPoints
             setVector(points[i].velocity, row + LINEAR);
             continue;
         }
+
         scalar* value = values().atPoint(p.point);
+        const scalar* shapes = &mean[(1 + scalars_.size())*i];
+        const scalar F = length(row[DISTANCE], row[FRICTION]);
         divide(vectorAt(value + U_), vectorAt(row + LINEAR), p.normal, row);
         if (p.free)
         {
-            const scalar F = length(row[DISTANCE], row[FRICTION]);
-            setVector(F/mean[i]*vectorAt(row + OVER_LAW), row + OVER_LAW);
+            setVector(F/shapes[0]*vectorAt(row + OVER_LAW), row + OVER_LAW);
             setVector
             (
                 vectorAt(row + LINEAR) + F*vectorAt(row + OVER_LAW), value + U_
@@ -211,7 +244,10 @@ void Foam::wallLawSampler::setPoints
         }
         forAll(scalars_, s)
         {
-            row[SCALARS + s] = divided(scalars_[s], value[scalars_[s].lane], row);
+            const scalar there = shape(scalars_[s], row[DISTANCE]*row[TURBULENT_FRICTION]);
+            scalar& known = value[scalars_[s].lane];
+            row[SCALARS + s] = known/(p.free ? shapes[1 + s] : there);
+            known = row[SCALARS + s]*there;
         }
     }
     forAll(constrained_, i)

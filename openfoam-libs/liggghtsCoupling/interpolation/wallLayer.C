@@ -36,14 +36,14 @@ void Foam::wallLayer::number(const labelUList& faces)
         if (near)
         {
             cellNumber_[celli] = cells_.size();
-            cells_.append(layerCell{celli, 0, 0, 0, Zero});
+            cells_.append(layerCell{celli, 0, 0, 0, 0, Zero});
             for (const label pointi : points)
             {
                 inLayer[pointi] = 1;
             }
         }
     }
-    cells_.append(layerCell{-1, 0, 0, 0, Zero});
+    cells_.append(layerCell{-1, 0, 0, 0, 0, Zero});
     all.sum(inLayer.data(), 1);
 
     forAll(inLayer, pointi)
@@ -235,6 +235,7 @@ void Foam::wallLayer::findNearest(const labelUList& faces)
             return mesh_.faces()[faces[i]].nearestPoint(centre, mesh_.points()).distance();
         };
 
+        c.firstPlane = planes_.size();
         c.firstFace = nearestFaces_.size();
         scalar least = VGREAT;
         for (const label i : own[number])
@@ -247,8 +248,14 @@ void Foam::wallLayer::findNearest(const labelUList& faces)
             {
                 nearestFaces_.append(i);
             }
+            if (own[number].size() > 1)
+            {
+                const vector area(mesh_.faceAreas()[faces[i]]);
+                planes_.append(plane{mesh_.faceCentres()[faces[i]], -area/mag(area)});
+            }
         }
     }
+    cells_.last().firstPlane = planes_.size();
     cells_.last().firstFace = nearestFaces_.size();
 }
 
