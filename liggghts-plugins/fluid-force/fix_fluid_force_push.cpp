@@ -69,7 +69,7 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     }
     if (UNIFORM && uniform_->magnus()) {
       double lift[3];
-      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, lift);
+      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, atom->rmass[i], lift);
       for (int dim = 0; dim < 3; dim++) {
         given[dim] += lift[dim];
         other[dim] += lift[dim];

@@ -175,13 +175,13 @@ double UniformFlow::spinCoefficient(int i, double kick) const
    The coefficient is taken at the mean slip, which depends on the lift: twice.
 ------------------------------------------------------------------------- */
 
-void UniformFlow::lift(int i, const double *other, double kick, double before, double *force_of_lift) const
+void UniformFlow::lift(int i, const double *other, double kick, double before, double mass, double *result) const
 {
-  const double cg = force->cg(atom->type[i]), d = 2.0 * atom->radius[i] / cg, mass = atom->rmass[i];
+  const double cg = force->cg(atom->type[i]), d = 2.0 * atom->radius[i] / cg;
   const double *omega = atom->omega[i];
   double spin = viscosity_ * spinReynolds(i) / (d * d), kept = 1.0;
   if (rotation_) {
-    const double inertia = 0.4 * mass * atom->radius[i] * atom->radius[i];
+    const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
     kept = grainjet::lift::meanOfDecay(spinCoefficient(i, kick) * kick / inertia);
     spin *= kept;
   }
@@ -199,7 +199,7 @@ void UniformFlow::lift(int i, const double *other, double kick, double before, d
     const double b = dragCoefficient(i, total, kick, before);
     const grainjet::lift::MeanLift lift(slip, other, L, b, kick, mass);
     for (int dim = 0; dim < 3; dim++) {
-      force_of_lift[dim] = lift.force[dim];
+      result[dim] = lift.force[dim];
       total[dim] = other[dim] + lift.force[dim];
     }
     slipSpeed = lift.slipSpeed();

@@ -57,8 +57,9 @@ class UniformFlow : protected Pointers {
 
   // Magnus' lift (N) on grain i over a kick under another force (N), by the spin and diameter of its
   // particles (physics/lift/magnus.h), at the mean slip and spin of the kick
-  // (physics/lift/mean_lift.h). before: as for dragCoefficient()
-  void lift(int i, const double *other, double kick, double before, double *force) const;
+  // (physics/lift/mean_lift.h). before: as for dragCoefficient(). mass: what drag and lift
+  // accelerate (kg)
+  void lift(int i, const double *other, double kick, double before, double mass, double *result) const;
 
   static double volume(double radius);
 

@@ -31,10 +31,11 @@ namespace lift {
    Rubinow & Keller and have no bound. Continuous; 1 at Re = 0.                                 */
 inline double spinLiftFactor(double re, double spinRe)
 {
-  const double taken = -std::expm1(-0.05684 * drag::power(spinRe, 0.4) * drag::power(re, 0.3));
-  const double fast = 1.0 - taken + 0.45 * re * (taken / (spinRe + 1e-30));
-  const double faster = 0.178 + 0.822 * drag::power(re, -0.522);
-  return std::min(fast, re < 1.0 ? 1.0 : faster);
+  const double logRe = drag::safeLog(re);
+  const double taken = -std::expm1(-0.05684 * std::exp(0.4 * drag::safeLog(spinRe) + 0.3 * logRe));
+  const double fastSpin = 1.0 - taken + 0.45 * re * (taken / (spinRe + 1e-30));
+  const double slowSpin = 0.178 + 0.822 * std::exp(-0.522 * logRe);
+  return std::min(fastSpin, re < 1.0 ? 1.0 : slowSpin);
 }
 
 /* Magnus' lift on one particle (Rubinow & Keller 1961, J. Fluid Mech. 11, 447),

@@ -43,9 +43,11 @@ void Foam::viscousTorque::add(grainBatch& grains) const
             24*rho[i]*nu[i]*grains.volume[i]
            *sqr(grains.radius[i]/grains.particleDiameter[i]);
 
+        // A grain turns slower than its particles by its coarse-graining factor, 2R/d
         for (direction k = 0; k < 3; ++k)
         {
-            grains.fluidSpin[k][i] = 0.5*curlU[k][i];
+            grains.fluidSpin[k][i] =
+                0.25*curlU[k][i]*grains.particleDiameter[i]/grains.radius[i];
         }
     }
 }
