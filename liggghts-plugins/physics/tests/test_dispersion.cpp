@@ -96,29 +96,37 @@ TEST(GrainRandom, Key)
 TEST(Langevin, Taylor)
 {
   const SeenTurbulence seen = homogeneous();
-  for (double ratio : {0.01, 0.1, 1.0, 10.0}) {
-    const double dt = ratio * T;
-    std::vector<Tracer> grains(100000);
-    start(grains);
-    const LangevinStep step(seen, dt, 0, NO_SLIP);
-    for (int n = 1; n <= 50; n++) {
-      double sum = 0, speeds = 0;
-      for (size_t i = 0; i < grains.size(); i++) {
+  const double ratios[] = {0.01, 0.1, 1.0, 10.0};
+  const LangevinStep steps[] = {{seen, 0.01 * T, 0, NO_SLIP}, {seen, 0.1 * T, 0, NO_SLIP},
+                                {seen, T, 0, NO_SLIP}, {seen, 10 * T, 0, NO_SLIP}};
+  std::vector<Tracer> grains[4];
+  for (auto &of_ratio : grains) {
+    of_ratio.resize(100000);
+    start(of_ratio);
+  }
+  const double samples = 3.0 * grains[0].size();
+  for (int n = 1; n <= 50; n++) {
+    double sum[4] = {0, 0, 0, 0}, speeds[4] = {0, 0, 0, 0};
+    for (size_t i = 0; i < grains[0].size(); i++) {
+      const auto normals = numbers(i, n);
+      for (int j = 0; j < 4; j++) {
+        Tracer &g = grains[j][i];
         double mean[3];
-        step.advance(numbers(i, n).data(), grains[i].xi, mean);
+        steps[j].advance(normals.data(), g.xi, mean);
         for (int k = 0; k < 3; k++) {
-          grains[i].x[k] += dt * mean[k];
-          sum += square(grains[i].x[k]);
-          speeds += square(grains[i].xi[k]);
+          g.x[k] += ratios[j] * T * mean[k];
+          sum[j] += square(g.x[k]) / samples;
+          speeds[j] += square(g.xi[k]) / samples;
         }
       }
-      if (n != 1 && n != 10 && n != 50) continue;
-      const double samples = 3.0 * grains.size(), t = n * dt;
-      const double exact = 2 * S*S * T * (t + T * std::expm1(-t / T));
-      printf("dt/T %g, t/T %g: <x2> over theory %.5f, <xi2> %.5f\n", ratio, t / T,
-             sum / samples / exact, speeds / samples);
-      EXPECT_NEAR(sum / samples / exact, 1, limit(samples)) << ratio << ' ' << n;
-      EXPECT_NEAR(speeds / samples, 1, limit(samples)) << ratio << ' ' << n;
+    }
+    if (n != 1 && n != 10 && n != 50) continue;
+    for (int j = 0; j < 4; j++) {
+      const double t = n * ratios[j] * T, exact = 2 * S*S * T * (t + T * std::expm1(-t / T));
+      printf("dt/T %g, t/T %g: <x2> over theory %.5f, <xi2> %.5f\n", ratios[j], t / T,
+             sum[j] / exact, speeds[j]);
+      EXPECT_NEAR(sum[j] / exact, 1, limit(samples)) << ratios[j] << ' ' << n;
+      EXPECT_NEAR(speeds[j], 1, limit(samples)) << ratios[j] << ' ' << n;
     }
   }
 }
