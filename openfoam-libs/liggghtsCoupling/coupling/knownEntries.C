@@ -127,9 +127,16 @@ void Foam::knownEntries::check(const dictionary& dict, const table& known)
         if (!type.found())
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown entry " << e.keyword() << " in " << dict.dictName() << ". "
-                << (known.empty() ? "It takes none" : "Valid: ")
-                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+                << "Unknown entry " << e.keyword() << " in " << dict.dictName() << ". ";
+            if (known.empty())
+            {
+                FatalIOError << "It takes none";
+            }
+            else
+            {
+                FatalIOError << "Valid: " << flatOutput(known.sortedToc());
+            }
+            FatalIOError << exit(FatalIOError);
         }
         readValue(dict, e.keyword(), (*type).type);
     }

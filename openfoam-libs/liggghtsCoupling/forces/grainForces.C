@@ -123,7 +123,7 @@ void Foam::grainForces::fill
 }
 
 
-void Foam::grainForces::checkRequested(const grainBatch& batch) const
+void Foam::grainForces::checkSums(const grainBatch& batch) const
 {
     const liggghtsSession::requests& requested = requests();
     const auto anyIn = [](const grainBatch::lane& lane)
@@ -139,22 +139,44 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
     {
         return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
     };
+    const auto anyNegativeIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] < 0);
+        }
+        return any;
+    };
 
-    const char* unasked = nullptr;
+    const char* wrong = nullptr;
     if
     (
         !requested.nonReacting
      && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
     )
     {
-        unasked = "forces without reaction, but has not called forceNeeds::nonReacting()";
+        wrong = "forces without reaction, but has not called forceNeeds::nonReacting()"
+            " in its constructor";
     }
     if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
     {
-        unasked = "torque, but has not called forceNeeds::torque()";
+        wrong = "torque, but has not called forceNeeds::torque() in its constructor";
+    }
+    if (anyNegativeIn(batch.Sp))
+    {
+        wrong = "a negative Sp: such drag would speed grains up";
+    }
+    if (anyNegativeIn(batch.nonReactingSp))
+    {
+        wrong = "a negative nonReactingSp: such drag would speed grains up";
+    }
+    if (anyNegativeIn(batch.spinCoefficient))
+    {
+        wrong = "a negative spinCoefficient: such a torque would speed up the spin";
     }
 
-    if (unasked)
+    if (wrong)
     {
         wordList names;
         for (const grainForce& force : forces_)
@@ -162,8 +184,8 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
             names.append(force.type());
         }
         FatalErrorInFunction
-            << "One of the models " << flatOutput(names) << " adds " << unasked
-            << " in its constructor" << exit(FatalError);
+            << "One of the models " << flatOutput(names) << " adds " << wrong
+            << exit(FatalError);
     }
 }
 
@@ -296,7 +318,7 @@ Foam::scalar Foam::grainForces::act
         {
             force.add(batch);
         }
-        checkRequested(batch);
+        checkSums(batch);
 
         for (label i = 0; i < batch.n; ++i)
         {

@@ -48,7 +48,7 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ shearLift { c 1.615; } }", "Unknown entry c", "Valid:", "(C)", lines=options, parallel=True)
         self.assertOneError("{ drag { model scaledStokes; factro 2; } }", "Unknown entry factro", "factor",
                             "model", FILE)
-        self.assertOneError("{ viscousTorque { C 1; } }", "Unknown entry C", "It takes none", FILE)
+        self.assertOneError("{ viscousTorque { C 1; } }", "Unknown entry C", "It takes none\n", FILE)
 
     def test_bad_value(self):
         self.assertOneError("{ shearLift { C -1; } }", "C -1", "positive", FILE)
@@ -109,6 +109,7 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { states (a_b); } }", "state a_b", "letters and digits", FILE)
         self.assertOneError("{ probe { states (a); numbers 0; } }", "without numbers", FILE)
         self.assertOneError("{ probe { states (a); infinite yes; } }", "state a", "not finite", FILE)
+        self.assertOneError("{ probe::odd { states (a); } }", "The model probe::odd", "TypeName", FILE, parallel=True)
 
     def test_not_asked_for(self):
         """What a model adds without asking for it would get lost: an error when it does."""
@@ -118,6 +119,13 @@ class UserModelsErrors(bad_case.BadCase):
                 self.assertRefused(folder, "(drag probe)", words, f"forceNeeds::{unasked}()", ranks=ranks, steps=True)
         # the spin of grains that nobody has asked for is no number, and so is a force from it
         self.assertRefused(self.case("{ drag {} probe { unasked spin; } }"), "LIGGGHTS stopped", "force", steps=True)
+
+    def test_negative_coefficient(self):
+        """Such drag would speed grains up, without an end: an error in the first step."""
+        for negative in ("Sp", "nonReactingSp", "spinCoefficient"):
+            for ranks in (0, 2):
+                folder = self.case(f"{{ drag {{}} probe {{ negative {negative}; }} }}")
+                self.assertRefused(folder, "(drag probe)", f"a negative {negative}", ranks=ranks, steps=True)
 
     # ---- the fluid
 
