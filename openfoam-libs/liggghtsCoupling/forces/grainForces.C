@@ -36,7 +36,9 @@ Foam::grainForces::readModels(const dictionary& dict)
             {
                 FatalIOErrorInFunction(forces)
                     << "forces: " << e.keyword() << " has no dictionary of its entries."
-                    << " Write " << e.keyword() << " { }" << exit(FatalIOError);
+                    << " Write " << e.keyword()
+                    << (e.keyword() == "drag" ? " { model Gidaspow; }, or another law" : " { }")
+                    << exit(FatalIOError);
             }
             models.append(model(e.keyword(), e.dict()));
         }

@@ -62,9 +62,16 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ drag { model scaledStokes; } }", "Entry factor is missing", FILE)
 
     def test_no_coefficients_in_the_short_form(self):
-        """The short form has no room for them: the model says what it lacks."""
-        self.assertOneError("(shearLift)", "Entry C is missing", FILE)
-        self.assertOneError(None, "Entry factor is missing", FILE, drag="scaledStokes")
+        """The short form has no room for them: the model says what it lacks, and how to write it."""
+        self.assertOneError("(shearLift)", "Entry C is missing", FILE, "no room for it",
+                            "forces { drag { model ...; } shearLift { C ...; } }\n", parallel=True)
+        self.assertOneError(None, "Entry factor is missing", FILE, "no room for it",
+                            "forces { drag { model scaledStokes; factor ...; } }\n", drag="scaledStokes")
+
+    def test_long_form_is_not_taken_for_the_short_one(self):
+        for forces in ("{ shearLift {} }", "{ drag { model scaledStokes; } }"):
+            folder = self.case(forces)
+            self.assertNotIn("short form", self.assertRefused(folder, "is missing", steps=True).output)
 
     def test_unknown_model(self):
         self.assertOneError("{ shearlift { C 1.6; } }", "shearlift", "shearLift", "pressureGradient", FILE,
@@ -126,7 +133,7 @@ class UserModelsErrors(bad_case.BadCase):
         for good in ("incompressible", "{ model incompressible; }", "{ model givenViscosity; nu 1e-5; }"):
             self.assertRuns(self.case("()", fluid=good))
         for bad, words in (
-                ("givenViscosity", ("Entry nu is missing",)),
+                ("givenViscosity", ("Entry nu is missing", "    fluid { model givenViscosity; nu ...; }\n")),
                 ("{ model givenViscosity; }", ("Entry nu is missing",)),
                 ("{ model givenViscosity; nuu 1; }", ("Unknown entry nuu", "model nu")),
                 ("{ model givenViscosity; nu -1; }", ("nu", "positive")),
