@@ -158,15 +158,42 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
 
     if (unasked)
     {
-        wordList names;
-        for (const grainForce& force : forces_)
-        {
-            names.append(force.type());
-        }
         FatalErrorInFunction
-            << "One of the models " << flatOutput(names) << " adds " << unasked
+            << "One of the models " << flatOutput(names()) << " adds " << unasked
             << " in its constructor" << exit(FatalError);
     }
+}
+
+
+void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
+{
+    const auto check = [&](const grainBatch::lane& lane, const char* name)
+    {
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            if (lane[i] < 0)
+            {
+                FatalErrorInFunction
+                    << "The models " << flatOutput(names()) << " give grain " << batch.id[i]
+                    << " the negative " << name << ' ' << lane[i] << " in all. What a model adds"
+                    << " to " << name << " must not be negative" << exit(FatalError);
+            }
+        }
+    };
+    check(batch.Sp, "Sp");
+    check(batch.nonReactingSp, "nonReactingSp");
+    check(batch.spinCoefficient, "spinCoefficient");
+}
+
+
+Foam::wordList Foam::grainForces::names() const
+{
+    wordList names;
+    for (const grainForce& force : forces_)
+    {
+        names.append(force.type());
+    }
+    return names;
 }
 
 
@@ -299,6 +326,7 @@ Foam::scalar Foam::grainForces::act
             force.add(batch);
         }
         checkRequested(batch);
+        checkCoefficients(batch);
 
         for (label i = 0; i < batch.n; ++i)
         {

@@ -95,6 +95,8 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { quantities (k); } }", "The model probe needs k", "laminar", FILE,
                             parallel=True)
         self.assertOneError("{ probe { quantities (U epsilon); } }", "needs epsilon", "laminar", FILE)
+        self.assertOneError("{ probe { quantities (wallDistance); } }", "The model probe needs wallDistance",
+                            "system/fvSchemes has no wallDist { method meshWave; }", FILE, parallel=True)
         self.assertOneError("{ thermophoresis { K 1; } }", "thermophoresis needs T", "no field T", FILE)
         self.assertOneError("{ probe { quantities (gradT); } }", "probe needs gradT", "no field T", FILE)
 
@@ -118,11 +120,15 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { states (a); infinite yes; } }", "state a", "not finite", FILE)
 
     def test_not_asked_for(self):
-        """What a model adds without asking for it would get lost: an error when it does."""
+        """What a model adds without asking for it would get lost, a negative coefficient drives grains away
+        from the fluid: errors when it comes."""
         for unasked, words in (("torque", "adds torque"), ("nonReacting", "adds forces without reaction")):
             for ranks in (0, 2):
                 folder = self.case(f"{{ drag {{}} probe {{ unasked {unasked}; }} }}")
                 self.assertRefused(folder, "(drag probe)", words, f"forceNeeds::{unasked}()", ranks=ranks, steps=True)
+        for ranks in (0, 2):
+            self.assertRefused(self.case("{ drag {} probe { Sp -1; } }"), "The models 2(drag probe) give grain ",
+                               "the negative Sp -", ranks=ranks, steps=True)
         # the spin of grains that nobody has asked for is no number, and so is a force from it
         self.assertRefused(self.case("{ drag {} probe { unasked spin; } }"), "LIGGGHTS stopped", "force", steps=True)
 

@@ -33,12 +33,14 @@ Foam::probeForce::probeForce(const dictionary& dict, forceNeeds& needs)
             {"numbers", knownEntries::valueType::ANY},
             {"shift", knownEntries::valueType::ANY},
             {"unasked", knownEntries::valueType::WORD},
+            {"Sp", knownEntries::valueType::NUMBER},
             {"shown", knownEntries::valueType::WORD},
             {"vector", knownEntries::valueType::SWITCH}
         }
     ),
     shift_(dict.lookupOrDefault<vector>("shift", Zero)),
     unasked_(dict.lookupOrDefault<word>("unasked", word())),
+    Sp_(dict.lookupOrDefault<scalar>("Sp", 0)),
     shown_(dict.found("shown") ? needs.quantity(dict.get<word>("shown")) : -1),
     nShown_(dict.lookupOrDefault<Switch>("vector", false) ? 3 : 1)
 {
@@ -83,6 +85,7 @@ void Foam::probeForce::add(grainBatch& grains) const
         {
             grains.nonReactingSu[2][i] += 1e-12;
         }
+        grains.Sp[i] += Sp_;
     }
 }
 
