@@ -85,6 +85,12 @@ class UserModelsErrors(bad_case.BadCase):
         self.change(folder, "system/controlDict", (str(user_library.build("userModels")), "libliggghtsCoupling.so"))
         self.assertRefused(folder, "shearLift", "libs", FILE, steps=True)
 
+    def test_library_in_the_options(self):
+        library = user_library.build("userModels")
+        folder = self.case("{ shearLift { C 1.6; } }", libs=f'("{library}")')
+        self.change(folder, "system/controlDict", (str(library), "libliggghtsCoupling.so"))
+        self.assertRuns(folder)
+
     # ---- what a model asks for
 
     def test_unknown_quantity(self):
