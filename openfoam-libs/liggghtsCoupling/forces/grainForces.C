@@ -36,7 +36,9 @@ Foam::grainForces::readModels(const dictionary& dict)
             {
                 FatalIOErrorInFunction(forces)
                     << "forces: " << e.keyword() << " has no dictionary of its entries."
-                    << " Write " << e.keyword() << " { }" << exit(FatalIOError);
+                    << " Write " << e.keyword()
+                    << (e.keyword() == "drag" ? " { model Gidaspow; }, or another law" : " { }")
+                    << exit(FatalIOError);
             }
             models.append(model(e.keyword(), e.dict()));
         }
@@ -178,15 +180,21 @@ void Foam::grainForces::checkSums(const grainBatch& batch) const
 
     if (wrong)
     {
-        wordList names;
-        for (const grainForce& force : forces_)
-        {
-            names.append(force.type());
-        }
         FatalErrorInFunction
-            << "One of the models " << flatOutput(names) << " adds " << wrong
+            << "One of the models " << flatOutput(names()) << " adds " << wrong
             << exit(FatalError);
     }
+}
+
+
+Foam::wordList Foam::grainForces::names() const
+{
+    wordList names;
+    for (const grainForce& force : forces_)
+    {
+        names.append(force.type());
+    }
+    return names;
 }
 
 
