@@ -168,40 +168,45 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
 }
 
 
-void Foam::grainForces::setAction
+void Foam::grainForces::setActions
 (
     grainBatch& batch,
-    const label i,
     ownedGrains& grains,
-    const label g
+    const label first
 ) const
 {
-    fluidAction action;
-    action.velocity = grainBatch::get(batch.fluidVelocity, i);
-    action.dragCoefficient = batch.Sp[i];
-    action.force = grainBatch::get(batch.Su, i);
-    if (requests().nonReacting)
-    {
-        action.nonReactingCoefficient = batch.nonReactingSp[i];
-        action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
-    }
-    if (requests().torque)
-    {
-        action.spin = grainBatch::get(batch.fluidSpin, i);
-        action.spinCoefficient = batch.spinCoefficient[i];
-        action.torque = grainBatch::get(batch.torque, i);
-    }
-    grains.set(g, action);
-
+    const bool nonReacting = requests().nonReacting;
+    const bool torque = requests().torque;
     const label nStates = batch.nStateLanes();
-    if (nStates)
+    List<scalar> state(nStates);
+
+    for (label i = 0; i < batch.n; ++i)
     {
-        List<scalar> state(nStates);
-        forAll(state, k)
+        fluidAction action;
+        action.velocity = grainBatch::get(batch.fluidVelocity, i);
+        action.dragCoefficient = batch.Sp[i];
+        action.force = grainBatch::get(batch.Su, i);
+        if (nonReacting)
         {
-            state[k] = batch.stateLanes()[k][i];
+            action.nonReactingCoefficient = batch.nonReactingSp[i];
+            action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
         }
-        grains.setState(g, state.cdata());
+        if (torque)
+        {
+            action.spin = grainBatch::get(batch.fluidSpin, i);
+            action.spinCoefficient = batch.spinCoefficient[i];
+            action.torque = grainBatch::get(batch.torque, i);
+        }
+        grains.set(first + i, action);
+
+        if (nStates)
+        {
+            forAll(state, k)
+            {
+                state[k] = batch.stateLanes()[k][i];
+            }
+            grains.setState(first + i, state.cdata());
+        }
     }
 }
 
@@ -272,6 +277,7 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    batch.clearSums(true, true);
     if (!requests().spin)
     {
         // A model that reads it without asking for it gets no number, which fix fluid/force refuses
@@ -286,7 +292,7 @@ Foam::scalar Foam::grainForces::act
         sampler_->at(batch, batch.fluidLanes());
         cellSampler::ofCells(quantities_.ofCells(), batch, batch.fluidLanes());
 
-        batch.clearSums();
+        batch.clearSums(requests().nonReacting, requests().torque);
         const grainBatch::lane* U = batch.fluid(U_);
         for (direction k = 0; k < 3; ++k)
         {
@@ -296,12 +302,11 @@ Foam::scalar Foam::grainForces::act
         {
             force.add(batch);
         }
-        checkRequested(batch);
+        setActions(batch, grains, first);
 
         for (label i = 0; i < batch.n; ++i)
         {
             const label g = first + i;
-            setAction(batch, i, grains, g);
             records[g] = record
             {
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
@@ -313,6 +318,7 @@ Foam::scalar Foam::grainForces::act
             );
         }
     }
+    checkRequested(batch);
     grains.send();
     return slipSum;
 }
