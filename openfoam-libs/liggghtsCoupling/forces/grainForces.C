@@ -125,7 +125,7 @@ void Foam::grainForces::fill
 }
 
 
-void Foam::grainForces::checkSums(const grainBatch& batch) const
+void Foam::grainForces::checkRequested(const grainBatch& batch) const
 {
     const liggghtsSession::requests& requested = requests();
     const auto anyIn = [](const grainBatch::lane& lane)
@@ -141,6 +141,28 @@ void Foam::grainForces::checkSums(const grainBatch& batch) const
     {
         return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
     };
+
+    if
+    (
+        !requested.nonReacting
+     && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
+    )
+    {
+        refuse
+        (
+            "forces without reaction, but has not called forceNeeds::nonReacting()"
+            " in its constructor"
+        );
+    }
+    if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
+    {
+        refuse("torque, but has not called forceNeeds::torque() in its constructor");
+    }
+}
+
+
+void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
+{
     const auto anyNegativeIn = [](const grainBatch::lane& lane)
     {
         bool any = false;
@@ -151,87 +173,72 @@ void Foam::grainForces::checkSums(const grainBatch& batch) const
         return any;
     };
 
-    const char* wrong = nullptr;
-    if
-    (
-        !requested.nonReacting
-     && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
-    )
-    {
-        wrong = "forces without reaction, but has not called forceNeeds::nonReacting()"
-            " in its constructor";
-    }
-    if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
-    {
-        wrong = "torque, but has not called forceNeeds::torque() in its constructor";
-    }
     if (anyNegativeIn(batch.Sp))
     {
-        wrong = "a negative Sp: such drag would speed grains up";
+        refuse("a negative Sp: such drag would speed grains up");
     }
-    if (anyNegativeIn(batch.nonReactingSp))
+    if (requests().nonReacting && anyNegativeIn(batch.nonReactingSp))
     {
-        wrong = "a negative nonReactingSp: such drag would speed grains up";
+        refuse("a negative nonReactingSp: such drag would speed grains up");
     }
-    if (anyNegativeIn(batch.spinCoefficient))
+    if (requests().torque && anyNegativeIn(batch.spinCoefficient))
     {
-        wrong = "a negative spinCoefficient: such a torque would speed up the spin";
-    }
-
-    if (wrong)
-    {
-        FatalErrorInFunction
-            << "One of the models " << flatOutput(names()) << " adds " << wrong
-            << exit(FatalError);
+        refuse("a negative spinCoefficient: such a torque would speed up the spin");
     }
 }
 
 
-Foam::wordList Foam::grainForces::names() const
+void Foam::grainForces::refuse(const char* what) const
 {
     wordList names;
     for (const grainForce& force : forces_)
     {
         names.append(force.type());
     }
-    return names;
+    FatalErrorInFunction
+        << "One of the models " << flatOutput(names) << " adds " << what << exit(FatalError);
 }
 
 
-void Foam::grainForces::setAction
+void Foam::grainForces::setActions
 (
     grainBatch& batch,
-    const label i,
     ownedGrains& grains,
-    const label g
+    const label first
 ) const
 {
-    fluidAction action;
-    action.velocity = grainBatch::get(batch.fluidVelocity, i);
-    action.dragCoefficient = batch.Sp[i];
-    action.force = grainBatch::get(batch.Su, i);
-    if (requests().nonReacting)
-    {
-        action.nonReactingCoefficient = batch.nonReactingSp[i];
-        action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
-    }
-    if (requests().torque)
-    {
-        action.spin = grainBatch::get(batch.fluidSpin, i);
-        action.spinCoefficient = batch.spinCoefficient[i];
-        action.torque = grainBatch::get(batch.torque, i);
-    }
-    grains.set(g, action);
-
+    const bool nonReacting = requests().nonReacting;
+    const bool torque = requests().torque;
     const label nStates = batch.nStateLanes();
-    if (nStates)
+    List<scalar> state(nStates);
+
+    for (label i = 0; i < batch.n; ++i)
     {
-        List<scalar> state(nStates);
-        forAll(state, k)
+        fluidAction action;
+        action.velocity = grainBatch::get(batch.fluidVelocity, i);
+        action.dragCoefficient = batch.Sp[i];
+        action.force = grainBatch::get(batch.Su, i);
+        if (nonReacting)
         {
-            state[k] = batch.stateLanes()[k][i];
+            action.nonReactingCoefficient = batch.nonReactingSp[i];
+            action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
         }
-        grains.setState(g, state.cdata());
+        if (torque)
+        {
+            action.spin = grainBatch::get(batch.fluidSpin, i);
+            action.spinCoefficient = batch.spinCoefficient[i];
+            action.torque = grainBatch::get(batch.torque, i);
+        }
+        grains.set(first + i, action);
+
+        if (nStates)
+        {
+            forAll(state, k)
+            {
+                state[k] = batch.stateLanes()[k][i];
+            }
+            grains.setState(first + i, state.cdata());
+        }
     }
 }
 
@@ -302,6 +309,7 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    batch.clearSums(true, true);
     if (!requests().spin)
     {
         // A model that reads it without asking for it gets no number, which fix fluid/force refuses
@@ -316,7 +324,7 @@ Foam::scalar Foam::grainForces::act
         sampler_->at(batch, batch.fluidLanes());
         cellSampler::ofCells(quantities_.ofCells(), batch, batch.fluidLanes());
 
-        batch.clearSums();
+        batch.clearSums(requests().nonReacting, requests().torque);
         const grainBatch::lane* U = batch.fluid(U_);
         for (direction k = 0; k < 3; ++k)
         {
@@ -326,12 +334,12 @@ Foam::scalar Foam::grainForces::act
         {
             force.add(batch);
         }
-        checkSums(batch);
+        checkCoefficients(batch);
+        setActions(batch, grains, first);
 
         for (label i = 0; i < batch.n; ++i)
         {
             const label g = first + i;
-            setAction(batch, i, grains, g);
             records[g] = record
             {
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
@@ -343,6 +351,7 @@ Foam::scalar Foam::grainForces::act
             );
         }
     }
+    checkRequested(batch);
     grains.send();
     return slipSum;
 }

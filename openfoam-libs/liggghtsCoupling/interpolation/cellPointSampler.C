@@ -141,11 +141,15 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
     }
     batch.weigh();
 
-    const label nLanes = values_.nLanes();
+    weights all[grainBatch::size];
     for (label i = 0; i < grainBatch::size; ++i)
     {
-        weights at;
-        if (hasPyramid(grains, i) && batch.least[i] >= tolerance)
+        weights& at = all[i];
+        if (i >= grains.n)
+        {
+            at = all[grains.n - 1];
+        }
+        else if (hasPyramid(grains, i) && batch.least[i] >= tolerance)
         {
             const FixedList<label, 4>& points = corners_[grains.pyramid[i]];
             for (label k = 0; k < 4; ++k)
@@ -156,44 +160,45 @@ void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lane
             at.points[1] = points[2];
             at.points[2] = points[1 + 2*label(batch.isOther[i])];
         }
-        else if (i < grains.n)
+        else
         {
             at = search(position(grains, i), grains.cell[i]);
         }
-        else
-        {
-            for (label k = 0; k < nLanes; ++k)
-            {
-                lanes[k][i] = lanes[k][grains.n - 1];
-            }
-            continue;
-        }
-
-        const scalar* v0 = values_.inCell(grains.cell[i]);
-        const scalar* v1 = values_.atPoint(at.points[0]);
-        const scalar* v2 = values_.atPoint(at.points[1]);
-        const scalar* v3 = values_.atPoint(at.points[2]);
-        values_.forBlocks
-        (
-            [&](const auto nBlocks, const label firstBlock)
-            {
-                constexpr label n = nBlocks*pointValues::blockSize;
-                const label first = firstBlock*pointValues::blockSize;
-                scalar sum[n];
-                for (label k = 0; k < n; ++k)
-                {
-                    const label c = first + k;
-                    sum[k] =
-                        at.w[0]*v0[c] + at.w[1]*v1[c] + at.w[2]*v2[c] + at.w[3]*v3[c];
-                }
-                // The last ones of a row may be no lane: there is room for them
-                for (label k = 0; k < n; ++k)
-                {
-                    lanes[first + k][i] = sum[k];
-                }
-            }
-        );
     }
+
+    values_.forBlocks
+    (
+        [&](const auto nBlocks, const label firstBlock)
+        {
+            constexpr label n = nBlocks*pointValues::blockSize;
+            const label first = firstBlock*pointValues::blockSize;
+
+            // First grain by grain, as the compiler then works on several numbers at once
+            scalar rows[grainBatch::size][n];
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                const weights& at = all[i];
+                const scalar* v0 = values_.inCell(grains.cell[i]) + first;
+                const scalar* v1 = values_.atPoint(at.points[0]) + first;
+                const scalar* v2 = values_.atPoint(at.points[1]) + first;
+                const scalar* v3 = values_.atPoint(at.points[2]) + first;
+                for (label k = 0; k < n; ++k)
+                {
+                    rows[i][k] =
+                        at.w[0]*v0[k] + at.w[1]*v1[k] + at.w[2]*v2[k] + at.w[3]*v3[k];
+                }
+            }
+
+            // The last ones of a row may be no lane: there is room for them
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                for (label k = 0; k < n; ++k)
+                {
+                    lanes[first + k][i] = rows[i][k];
+                }
+            }
+        }
+    );
 }
 
 
