@@ -8,21 +8,6 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-// Neither errno nor an exception of a side that is not taken, which the laws do not have, shall keep
-// g++ from working on several grains at once. Before all headers, as it holds for what follows
-#if defined(__GNUC__) && !defined(__clang__)
-    #pragma GCC optimize("no-math-errno", "no-trapping-math")
-
-    // glibc has these for several numbers at once, but says so to programs with -ffast-math only
-    #if defined(__x86_64__) && defined(__linux__)
-        extern "C"
-        {
-            double exp(double) noexcept __attribute__((const, simd("notinbranch")));
-            double log(double) noexcept __attribute__((const, simd("notinbranch")));
-        }
-    #endif
-#endif
-
 #include "dragLaw.H"
 #include "addToRunTimeSelectionTable.H"
 #include "physics/drag/drag_laws.h"
