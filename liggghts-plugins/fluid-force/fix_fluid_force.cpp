@@ -147,8 +147,29 @@ void FixFluidForce::init()
   held_.init();
   check_other_fixes();
   if (!coupled_) return;
+  check_box();
   removed_.act_first(modify->find_fix(id));
   if (exchangeOpen_) drop_unrequested();
+}
+
+/* ----------------------------------------------------------------------
+   The mesh of the fluid stays as it is, and so must the box: commands behind this fix may have
+   changed its shape. Shrink-wrapped faces, which only follow the grains, do no harm.
+------------------------------------------------------------------------- */
+
+void FixFluidForce::check_box()
+{
+  if (domain->triclinic)
+    error->all(FLERR, "Fix fluid/force coupled requires an orthogonal box; take out change_box ... triclinic");
+
+  for (int ifix = 0; ifix < modify->nfix; ifix++) {
+    const Fix *other = modify->fix[ifix];
+    if (!other->box_change_size && !other->box_change_shape) continue;
+    const std::string text = std::string("Fix fluid/force coupled: fix ") + other->style + " (ID "
+      + other->id + ") changes the simulation box during the run, while the mesh of the fluid stays;"
+      " take it out";
+    error->all(FLERR, text.c_str());
+  }
 }
 
 /* ----------------------------------------------------------------------

@@ -124,6 +124,7 @@ class FixFluidForce : public Fix {
 
   void parse(int, char **);
   void check_other_fixes();
+  void check_box();
 
   void create_non_reacting();
   void create_torque();

@@ -15,6 +15,7 @@
 #include "modify.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -65,46 +66,57 @@ void RemovedGrains::act_first(int ifix)
 
 /* ---------------------------------------------------------------------- */
 
-bool RemovedGrains::outside(const double *x) const
+RemovedGrains::Box::Box(const Domain *domain)
 {
   const int FIXED = 1;    // of Domain::boundary; shrink-wrapped faces move instead
+  const double FAR = std::numeric_limits<double>::infinity();
   for (int dim = 0; dim < 3; dim++) {
-    if (domain->boundary[dim][0] == FIXED && x[dim] < domain->boxlo[dim]) return true;
-    if (domain->boundary[dim][1] == FIXED && x[dim] >= domain->boxhi[dim]) return true;
+    low[dim] = domain->boundary[dim][0] == FIXED ? domain->boxlo[dim] : -FAR;
+    high[dim] = domain->boundary[dim][1] == FIXED ? domain->boxhi[dim] : FAR;
+    if (low[dim] > -FAR || high[dim] < FAR) open = true;
   }
-  return false;
 }
 
 /* ----------------------------------------------------------------------
    A grain may be marked by two fixes.
 ------------------------------------------------------------------------- */
 
-void RemovedGrains::find_marked()
+bool RemovedGrains::find_marked()
 {
   marked_.assign(atom->nlocal, 0);
+  bool any = false;
   for (int ifix = 0; ifix < modify->nfix; ifix++) {
     const std::vector<int> *tags = grainjet::marked_tags(modify->fix[ifix]);
     if (!tags) continue;
     for (int tag : *tags) {
       const int i = atom->map(tag);
-      if (i >= 0 && i < atom->nlocal) marked_[i] = 1;
+      if (i >= 0 && i < atom->nlocal) {
+        marked_[i] = 1;
+        any = true;
+      }
     }
   }
+  return any;
 }
 
 /* ----------------------------------------------------------------------
-   A marked grain beyond the boundary is deleted before the exchange between ranks drops it.
+   A marked grain beyond the boundary is deleted before the exchange between ranks drops it. This is
+   called whenever lists are made: grains that nothing can remove are not looked at.
 ------------------------------------------------------------------------- */
 
 void RemovedGrains::collect(const FluidForceExchange &state, bool deleting, double halfKick,
   const double *const *nonReacting)
 {
-  if (deleting) find_marked();
-  else marked_.assign(atom->nlocal, 0);
+  const Box box(domain);
+  const bool marked = deleting && find_marked();
+  if (!marked && !box.open) return;
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!marked_[i] && !outside(atom->x[i])) continue;
-    record(i, marked_[i] ? FluidForceExchange::DELETED : FluidForceExchange::LEFT_BOX, state,
+  const int nlocal = atom->nlocal;
+  const double *const *x = atom->x;
+  for (int i = 0; i < nlocal; i++) {
+    const bool deleted = marked && marked_[i];
+    if (!deleted && !box.outside(x[i])) continue;
+    record(i, deleted ? FluidForceExchange::DELETED : FluidForceExchange::LEFT_BOX, state,
       halfKick, nonReacting ? nonReacting[i] : NULL);
   }
 }

@@ -43,8 +43,21 @@ class RemovedGrains : protected Pointers {
   std::vector<FluidForceExchange::Removed> grains_;
   std::vector<char> marked_;    // per grain, while collecting
 
-  bool outside(const double *) const;
-  void find_marked();
+  // The fixed faces of the box, through which grains are lost; other faces lie at infinity
+  struct Box {
+    double low[3], high[3];    // m
+    bool open = false;         // is there such a face?
+
+    explicit Box(const class Domain *);
+    bool outside(const double *x) const
+    {
+      for (int dim = 0; dim < 3; dim++)
+        if (x[dim] < low[dim] || x[dim] >= high[dim]) return true;
+      return false;
+    }
+  };
+
+  bool find_marked();    // are there any?
   void record(int, FluidForceExchange::Fate, const FluidForceExchange &, double halfKick,
     const double *nonReacting);
 };

@@ -13,7 +13,7 @@ SCRIPT = """
     plugin load fluidforceplugin.so
     atom_style {style}
     atom_modify map array sort 0 0
-    boundary f f f
+    boundary {boundary}
     newton off
     communicate single vel yes
     units {units}
@@ -32,8 +32,8 @@ AIR = "density 1.2 viscosity 1.5e-5"
 
 class BadInput(grainjet.Case):
 
-    def script(self, fixes, style="granular", units="si", box="block -1 1 -1 1 -1 1"):
-        return SCRIPT.format(fixes=fixes, style=style, units=units, box=box)
+    def script(self, fixes, style="granular", units="si", box="block -1 1 -1 1 -1 1", boundary="f f f"):
+        return SCRIPT.format(fixes=fixes, style=style, units=units, box=box, boundary=boundary)
 
     def refused(self, fixes, *words, ranks=0, **changes):
         result = self.liggghts(self.script(fixes, **changes), ranks, check=False)
@@ -92,6 +92,15 @@ class BadInput(grainjet.Case):
         for rotation, warnings in (("no", 1), ("yes", 0)):
             result = self.liggghts(self.script(f"fix f all fluid/force uniform 1 0 0 {AIR} magnus yes rotation {rotation}"), 2)
             self.assertEqual(result.output.count("magnus yes without rotation yes"), warnings, result)
+
+    def test_box_that_changes(self):
+        """Behind this fix the box becomes another one, or another fix changes it during the run."""
+        self.refused("fix f all fluid/force coupled\nchange_box all triclinic", "orthogonal", ranks=2)
+        self.refused("fix f all fluid/force coupled\nfix d all deform 1 x scale 1.1", "fix deform (ID d)", "box", ranks=2,
+                     boundary="p f f")
+        # style uniform has no mesh
+        self.liggghts(self.script(f"fix f all fluid/force uniform 1 0 0 {AIR}\nfix d all deform 1 x scale 1.1",
+                                  boundary="p f f"))
 
     def test_on_two_ranks(self):
         """One message, all ranks end, no hang."""

@@ -179,16 +179,29 @@ Foam::couplingCase::couplingCase(const dictionary& dict, const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::couplingCase::checkConstantStep() const
+{
+    const dictionary& controls = mesh_.time().controlDict();
+    if (controls.lookupOrDefault("adjustTimeStep", false))
+    {
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(controls)
+                    << "adjustTimeStep yes cannot be used with liggghtsCoupling"
+                    << ": the fluid step is couplingInterval DEM steps. Set it to no"
+                    << exit(FatalIOError);
+            }
+        );
+    }
+}
+
+
 void Foam::couplingCase::check() const
 {
     checkMesh();
-    if (mesh_.time().controlDict().lookupOrDefault("adjustTimeStep", false))
-    {
-        FatalIOErrorInFunction(mesh_.time().controlDict())
-            << "adjustTimeStep yes cannot be used with liggghtsCoupling"
-            << ": the fluid step is couplingInterval DEM steps. Set it to no"
-            << exit(FatalIOError);
-    }
+    checkConstantStep();
 
     couplingEntries::onMaster
     (

@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingChecks.H"
+#include "couplingCase.H"
+#include "couplingEntries.H"
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -36,6 +38,8 @@ void Foam::couplingChecks::timeStep() const
     // Both are typed decimal numbers: equal up to their representation
     if (mag(fluid - interval*dem) > 1e-9*fluid)
     {
+        couplingCase(dict_, mesh_).checkConstantStep();
+
         // As the user typed them, whatever the case's writePrecision
         std::ostringstream message;
         message
@@ -49,8 +53,14 @@ void Foam::couplingChecks::timeStep() const
             message << " or couplingInterval to " << fluid/dem;
         }
 
-        FatalIOErrorInFunction(dict_)
-            << message.str().c_str() << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << message.str().c_str() << exit(FatalIOError);
+            }
+        );
     }
 }
 
@@ -66,11 +76,17 @@ void Foam::couplingChecks::overlap() const
 
     if (!dem.overlaps(mesh_.bounds()))
     {
-        FatalIOErrorInFunction(dict_)
-            << "No grain can ever meet the fluid: the box of " << script_ << ' '
-            << dem << " and the mesh " << mesh_.bounds()
-            << " have no part in common. Both are in metres"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "No grain can ever meet the fluid: the box of " << script_ << ' '
+                    << dem << " and the mesh " << mesh_.bounds()
+                    << " have no part in common. Both are in metres"
+                    << exit(FatalIOError);
+            }
+        );
     }
 }
 
@@ -103,11 +119,17 @@ void Foam::couplingChecks::grains() const
 
     if (odd != labelMax)
     {
-        FatalIOErrorInFunction(dict_)
-            << "script " << script_ << ": grain " << odd << " has a radius outside of "
-            << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
-            << " to " << largeMass << " kg, or a speed above " << largeSpeed
-            << " m/s. See its diameter, density and velocity" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "script " << script_ << ": grain " << odd << " has a radius outside of "
+                    << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
+                    << " to " << largeMass << " kg, or a speed above " << largeSpeed
+                    << " m/s. See its diameter, density and velocity" << exit(FatalIOError);
+            }
+        );
     }
 }
 
@@ -124,9 +146,15 @@ bool Foam::couplingChecks::gravity(vector& g) const
     const scalar large = 1e9;
     if (!(mag(g.x()) + mag(g.y()) + mag(g.z()) < large))
     {
-        FatalIOErrorInFunction(dict_)
-            << "script " << script_ << ": fix gravity of " << g
-            << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "script " << script_ << ": fix gravity of " << g
+                    << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+            }
+        );
     }
     return true;
 }
@@ -137,11 +165,17 @@ void Foam::couplingChecks::anyInside(const label outside) const
     const scalar present = session_.counts().present;
     if (present > 0 && outside == present)
     {
-        FatalIOErrorInFunction(dict_)
-            << "None of the " << present << " grains of " << script_
-            << " lies in a cell of the mesh, whose bounds are " << mesh_.bounds()
-            << ". Check units (metres) and origin of script and mesh"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "None of the " << present << " grains of " << script_
+                    << " lies in a cell of the mesh, whose bounds are " << mesh_.bounds()
+                    << ". Check units (metres) and origin of script and mesh"
+                    << exit(FatalIOError);
+            }
+        );
     }
 }
 

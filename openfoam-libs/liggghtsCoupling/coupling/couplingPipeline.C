@@ -24,6 +24,7 @@ const Foam::dictionary& checkedCase
 {
     fluid.check();
     Foam::couplingCase(dict, fluid.mesh()).check();
+    Foam::couplingEntries::onMaster([&](){ dict.get<Foam::label>("couplingInterval"); });
 
     // LIGGGHTS needs MPI also where the solver runs without
     Foam::UPstream::initNull();

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "formerRun.H"
+#include "couplingEntries.H"
 #include "IFstream.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -208,29 +209,33 @@ void Foam::formerRun::incomplete
     const wordList& traces
 ) const
 {
+    // The solver is in its first step already: its present time is not that of the folder
     const Time& time = mesh_.time();
+    const fileName folder(time.relativePath(time.path()/startName_));
 
-    // Every rank may be the first to print, with the names of the first one
-    fileName folder(time.relativePath(time.timePath()));
-    Pstream::scatter(folder);
-
-    FatalErrorInFunction
-        << what.c_str() << ".\n"
-        << "    Time " << startName_ << " was written by a coupled run, which was"
-        << " probably killed while writing, or the file was not copied with the others."
-        << " Remove the folder " << folder
-        << " or set startTime in system/controlDict to a complete time.\n"
-        << "    To begin with new grains in this flow, remove what belongs to the former"
-        << " ones: ";
-    if (traces.empty())
-    {
-        FatalError << "the files " << grainsName << " of earlier times";
-    }
-    else
-    {
-        FatalError << "the files " << traces << " in " << folder;
-    }
-    FatalError << exit(FatalError);
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            FatalErrorInFunction
+                << what.c_str() << ".\n"
+                << "    Time " << startName_ << " was written by a coupled run, which was"
+                << " probably killed while writing, or the file was not copied with the"
+                << " others. Remove the folder " << folder
+                << " or set startTime in system/controlDict to a complete time.\n"
+                << "    To begin with new grains in this flow, remove what belongs to the"
+                << " former ones: ";
+            if (traces.empty())
+            {
+                FatalError << "the files " << grainsName << " of earlier times";
+            }
+            else
+            {
+                FatalError << "the files " << traces << " in " << folder;
+            }
+            FatalError << exit(FatalError);
+        }
+    );
 }
 
 

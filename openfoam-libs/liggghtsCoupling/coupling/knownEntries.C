@@ -8,6 +8,8 @@
 #include "couplingEntries.H"
 #include "Switch.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -113,13 +115,47 @@ void readValue(const dictionary& dict, const word& key, const valueType type)
     }
 }
 
+// How to write a model of the short form so that it has what it needs
+std::string withRoom
+(
+    const dictionary& dict,
+    const knownEntries::table& known,
+    const std::string& longForm
+)
+{
+    if (longForm.empty())
+    {
+        return std::string();
+    }
+    std::string text("\nThe short form has no room for it. Write\n    " + longForm);
+    for (const word& key : known.sortedToc())
+    {
+        if (known[key].needed == knownEntries::REQUIRED && !dict.found(key))
+        {
+            text += " " + key + " ...;";
+        }
+    }
+    const auto opened =
+        std::count(text.begin(), text.end(), '{') - std::count(text.begin(), text.end(), '}');
+    for (label i = 0; i < opened; ++i)
+    {
+        text += " }";
+    }
+    return text;
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
-void Foam::knownEntries::check(const dictionary& dict, const table& known)
+void Foam::knownEntries::check
+(
+    const dictionary& dict,
+    const table& known,
+    const string& longForm
+)
 {
     for (const entry& e : dict)
     {
@@ -127,9 +163,16 @@ void Foam::knownEntries::check(const dictionary& dict, const table& known)
         if (!type.found())
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown entry " << e.keyword() << " in " << dict.dictName() << ". "
-                << (known.empty() ? "It takes none" : "Valid: ")
-                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+                << "Unknown entry " << e.keyword() << " in " << dict.dictName() << ". ";
+            if (known.empty())
+            {
+                FatalIOError << "It takes none";
+            }
+            else
+            {
+                FatalIOError << "Valid: " << flatOutput(known.sortedToc());
+            }
+            FatalIOError << exit(FatalIOError);
         }
         readValue(dict, e.keyword(), (*type).type);
     }
@@ -139,15 +182,21 @@ void Foam::knownEntries::check(const dictionary& dict, const table& known)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry " << key << " is missing in " << dict.dictName() << ". Valid: "
-                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+                << flatOutput(known.sortedToc()) << withRoom(dict, known, longForm).c_str()
+                << exit(FatalIOError);
         }
     }
 }
 
 
-void Foam::knownEntries::checkOnMaster(const dictionary& dict, const table& known)
+void Foam::knownEntries::checkOnMaster
+(
+    const dictionary& dict,
+    const table& known,
+    const string& longForm
+)
 {
-    couplingEntries::onMaster([&](){ check(dict, known); });
+    couplingEntries::onMaster([&](){ check(dict, known, longForm); });
 }
 
 

@@ -81,6 +81,33 @@ void Foam::fv::liggghtsCoupling::checkSources() const
 }
 
 
+void Foam::fv::liggghtsCoupling::noteRelaxation(const fvMatrix<vector>& eqn)
+{
+    // As fvMatrix::relax() chooses it
+    relaxed_ = eqn.psi().select
+    (
+        mesh_.data::lookupOrDefault<bool>("finalIteration", false)
+    );
+    relaxation_ =
+        mesh_.relaxEquation(relaxed_) ? mesh_.equationRelaxationFactor(relaxed_) : 1;
+}
+
+
+void Foam::fv::liggghtsCoupling::warnOfRelaxation()
+{
+    if (relaxation_ < 1 && !warned_ && couplingEntries::twoWay(coeffs_))
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The last momentum equation of the time step is relaxed: factor " << relaxation_
+            << " for " << relaxed_ << " in relaxationFactors.equations of fvSolution. So the"
+            << " solver does not satisfy it, and the fluid loses a part of the momentum that"
+            << " grains give to it, which the column imbalance cannot show. Set " << relaxed_
+            << " 1" << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fv::liggghtsCoupling::liggghtsCoupling
@@ -94,7 +121,9 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     option(name, modelType, dict, mesh),
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
     cloud_(mesh),
-    timeIndex_(mesh.time().timeIndex())
+    timeIndex_(mesh.time().timeIndex()),
+    relaxation_(1),
+    warned_(false)
 {
     fieldNames_ = wordList(1, coeffs_.lookupOrDefault<word>("U", "U"));
     if (turbulence_)
@@ -122,9 +151,11 @@ void Foam::fv::liggghtsCoupling::addSup
     if (timeIndex_ != mesh_.time().timeIndex())
     {
         checkSources();
+        warnOfRelaxation();
         timeIndex_ = mesh_.time().timeIndex();
         pipeline_->advance();
     }
+    noteRelaxation(eqn);
     pipeline_->momentum().addSup(eqn);
 }
 

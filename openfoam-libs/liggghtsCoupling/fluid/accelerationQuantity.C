@@ -52,6 +52,7 @@ Foam::tmp<Foam::volVectorField> Foam::accelerationQuantity::vectorField() const
     volVectorField& DUDt = tDUDt.ref();
     DUDt.primitiveFieldRef() +=
         (U.primitiveField() - previous.primitiveField())/time.deltaTValue();
+    DUDt.correctBoundaryConditions();
 
     previous.primitiveFieldRef() = U.primitiveField();
     previous.instance() = time.timeName();

@@ -57,7 +57,13 @@ Foam::carrierFluid::carrierFluid
 {
     knownEntries::table known(entries);
     known.insert("model", knownEntries::valueType::WORD);
-    knownEntries::checkOnMaster(coeffs_, known);
+
+    string longForm;
+    if (!dict.isDict("fluid"))
+    {
+        longForm = "fluid { model " + dict.lookupOrDefault<word>("fluid", "incompressible") + ";";
+    }
+    knownEntries::checkOnMaster(coeffs_, known, longForm);
 }
 
 

@@ -5,42 +5,56 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidQuantities.H"
+#include "coupledFvPatch.H"
 #include "couplingEntries.H"
-#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
-Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-Foam::fluidQuantities::withCellBoundaries
+void Foam::fluidQuantities::setCellBoundaries
 (
-    const tmp<GeometricField<Type, fvPatchField, volMesh>>& tfield
+    tmp<GeometricField<Type, fvPatchField, volMesh>>& tfield
 )
 {
     typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
-    const fieldType& field = tfield();
 
-    tmp<fieldType> tresult
-    (
-        new fieldType
+    if (!tfield.movable())
+    {
+        // Others use it as well
+        const fieldType& field = tfield();
+        tfield = tmp<fieldType>
         (
-            IOobject
+            new fieldType
             (
-                field.name() + ":grains",
-                field.time().timeName(),
-                field.mesh(),
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            field.mesh(),
-            dimensioned<Type>(field.dimensions(), Zero),
-            zeroGradientFvPatchField<Type>::typeName
-        )
-    );
-    tresult.ref().primitiveFieldRef() = field.primitiveField();
-    tresult.ref().correctBoundaryConditions();
-    return tresult;
+                IOobject
+                (
+                    field.name() + ":grains",
+                    field.time().timeName(),
+                    field.mesh(),
+                    IOobject::NO_READ,
+                    IOobject::NO_WRITE,
+                    false
+                ),
+                field
+            )
+        );
+    }
+
+    for (fvPatchField<Type>& patch : tfield.ref().boundaryFieldRef())
+    {
+        if (isA<coupledFvPatch>(patch.patch()))
+        {
+            continue;
+        }
+        if (polyPatch::constraintType(patch.patch().type()))
+        {
+            patch.evaluate();
+        }
+        else
+        {
+            patch == patch.patchInternalField()();
+        }
+    }
 }
 
 
@@ -142,7 +156,7 @@ void Foam::fluidQuantities::update()
             vectors_[i] = quantity.vectorField();
             if (!asTheyAre)
             {
-                vectors_[i] = withCellBoundaries(vectors_[i]);
+                setCellBoundaries(vectors_[i]);
             }
             field.vector = &vectors_[i]();
         }
@@ -151,7 +165,7 @@ void Foam::fluidQuantities::update()
             scalars_[i] = quantity.scalarField();
             if (!asTheyAre)
             {
-                scalars_[i] = withCellBoundaries(scalars_[i]);
+                setCellBoundaries(scalars_[i]);
             }
             field.scalar = &scalars_[i]();
         }

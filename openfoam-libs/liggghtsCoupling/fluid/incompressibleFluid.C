@@ -90,11 +90,17 @@ scalar readDensity(const fvMesh& mesh)
 
     if (!properties.found("rho"))
     {
-        FatalIOErrorInFunction(properties)
-            << "Entry rho (density of the fluid) not found; grains need it although"
-            << " an incompressible solver does not. Add, for air,\n"
-            << "    rho     [1 -3 0 0 0 0 0] 1.2;"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(properties)
+                    << "Entry rho (density of the fluid) not found; grains need it although"
+                    << " an incompressible solver does not. Add, for air,\n"
+                    << "    rho     [1 -3 0 0 0 0 0] 1.2;"
+                    << exit(FatalIOError);
+            }
+        );
     }
 
     // The master has the lines of the file
@@ -103,9 +109,16 @@ scalar readDensity(const fvMesh& mesh)
     const scalar rho = readValue(properties);
     if (!(rho > smallest && rho < largest))
     {
-        FatalIOErrorInFunction(properties)
-            << "rho " << rho << " is not positive or out of bounds (" << smallest << " to "
-            << largest << "): it is the density of the fluid in kg/m3" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(properties)
+                    << "rho " << rho << " is not positive or out of bounds (" << smallest << " to "
+                    << largest << "): it is the density of the fluid in kg/m3"
+                    << exit(FatalIOError);
+            }
+        );
     }
     return rho;
 }
@@ -218,21 +231,34 @@ void Foam::incompressibleFluid::checkField
     {
         if (required || dict_.found(key))
         {
-            FatalIOErrorInFunction(dict_)
-                << key << ' ' << name << ": there is no " << FieldType::typeName
-                << " of this name. Those that the solver has are "
-                << flatOutput(mesh_.sortedNames<FieldType>())
-                << exit(FatalIOError);
+            couplingEntries::onMaster
+            (
+                [&]()
+                {
+                    FatalIOErrorInFunction(dict_)
+                        << key << ' ' << name << ": there is no " << FieldType::typeName
+                        << " of this name. Those that the solver has are "
+                        << flatOutput(mesh_.sortedNames<FieldType>())
+                        << exit(FatalIOError);
+                }
+            );
         }
         return;
     }
     if (field->dimensions() != dimensions)
     {
-        FatalIOErrorInFunction(dict_)
-            << key << ' ' << name << ": the field has the dimensions "
-            << field->dimensions() << " instead of " << dimensions
-            << ", those of an incompressible solver. See the entry dimensions of "
-            << mesh_.time().timeName()/name << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << key << ' ' << name << ": the field has the dimensions "
+                    << field->dimensions() << " instead of " << dimensions
+                    << ", those of an incompressible solver. See the entry dimensions of "
+                    << mesh_.time().timeName(mesh_.time().startTime().value())/name
+                    << exit(FatalIOError);
+            }
+        );
     }
 }
 
@@ -290,11 +316,17 @@ void Foam::incompressibleFluid::checkViscosity() const
     const scalar high = gMax(tnu().primitiveField());
     if (!(low > smallest && high < largest))
     {
-        FatalIOErrorInFunction(dict_)
-            << "nu, the viscosity of the fluid (" << mesh_.time().constant()
-            << "/transportProperties), is " << low << " to " << high
-            << " m2/s. Drag on grains needs one that is positive and within " << smallest
-            << " to " << largest << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "nu, the viscosity of the fluid (" << mesh_.time().constant()
+                    << "/transportProperties), is " << low << " to " << high
+                    << " m2/s. Drag on grains needs one that is positive and within " << smallest
+                    << " to " << largest << exit(FatalIOError);
+            }
+        );
     }
 }
 

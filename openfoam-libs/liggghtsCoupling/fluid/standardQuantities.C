@@ -234,6 +234,12 @@ struct wallDistanceQuantity
     TypeName("wallDistance");
     using scalarQuantity::scalarQuantity;
 
+    virtual string missing() const
+    {
+        return
+            fluid_.mesh().schemesDict().subOrEmptyDict("wallDist").found("method")
+          ? string() : string("system/fvSchemes has no wallDist { method meshWave; }");
+    }
     virtual bool hasBoundaryValues() const
     {
         return true;

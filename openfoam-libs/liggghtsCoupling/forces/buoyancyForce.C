@@ -6,6 +6,7 @@
 
 #include "buoyancyForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -40,11 +41,17 @@ void Foam::buoyancyForce::prepare()
 {
     if (!fluid_.hasGravity())
     {
-        FatalIOErrorInFunction(dict_)
-            << "forces: buoyancy needs gravity, but the input script of LIGGGHTS"
-            << " has no fix gravity. Add it there, for instance\n"
-            << "    fix g all gravity 9.81 vector 0 0 -1\n"
-            << "or take buoyancy out" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "forces: buoyancy needs gravity, but the input script of LIGGGHTS"
+                    << " has no fix gravity. Add it there, for instance\n"
+                    << "    fix g all gravity 9.81 vector 0 0 -1\n"
+                    << "or take buoyancy out" << exit(FatalIOError);
+            }
+        );
     }
 }
 

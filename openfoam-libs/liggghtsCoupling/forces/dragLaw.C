@@ -22,7 +22,14 @@ Foam::dragLaw::dragLaw(const dictionary& dict, const knownEntries::table& entrie
 {
     knownEntries::table known(entries);
     known.insert("model", knownEntries::valueType::WORD);
-    knownEntries::checkOnMaster(dict, known);
+
+    // In the short form the dictionary is not that of the case
+    string longForm;
+    if (!dict.name().ends_with(".forces.drag"))
+    {
+        longForm = "forces { drag { model " + dict.lookupOrDefault<word>("model", "...") + ";";
+    }
+    knownEntries::checkOnMaster(dict, known, longForm);
 }
 
 

@@ -53,6 +53,14 @@ Foam::label Foam::forceNeeds::state(const word& name, const scalarList& initial)
             wrong = "whose name has other characters than letters and digits";
         }
     }
+    for (const char c : model_)
+    {
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_')
+        {
+            wrong = "but a model with state needs a name of letters, digits and _ only:"
+                " change its TypeName";
+        }
+    }
     if (name.empty() || initial.empty())
     {
         wrong = "without a name, or without numbers";

@@ -40,7 +40,13 @@ Foam::grainForce::grainForce
     dict_(dict),
     fluid_(needs.fluid())
 {
-    knownEntries::checkOnMaster(dict, entries);
+    // In the short form the dictionary is not that of the case
+    string longForm;
+    if (!dict.name().ends_with(".forces." + needs.model()))
+    {
+        longForm = "forces { drag { model ...; } " + needs.model() + " {";
+    }
+    knownEntries::checkOnMaster(dict, entries, longForm);
 }
 
 

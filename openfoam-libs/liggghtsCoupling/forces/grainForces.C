@@ -36,7 +36,9 @@ Foam::grainForces::readModels(const dictionary& dict)
             {
                 FatalIOErrorInFunction(forces)
                     << "forces: " << e.keyword() << " has no dictionary of its entries."
-                    << " Write " << e.keyword() << " { }" << exit(FatalIOError);
+                    << " Write " << e.keyword()
+                    << (e.keyword() == "drag" ? " { model Gidaspow; }, or another law" : " { }")
+                    << exit(FatalIOError);
             }
             models.append(model(e.keyword(), e.dict()));
         }
@@ -140,68 +142,103 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
         return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
     };
 
-    const char* unasked = nullptr;
     if
     (
         !requested.nonReacting
      && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
     )
     {
-        unasked = "forces without reaction, but has not called forceNeeds::nonReacting()";
+        refuse
+        (
+            "forces without reaction, but has not called forceNeeds::nonReacting()"
+            " in its constructor"
+        );
     }
     if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
     {
-        unasked = "torque, but has not called forceNeeds::torque()";
-    }
-
-    if (unasked)
-    {
-        wordList names;
-        for (const grainForce& force : forces_)
-        {
-            names.append(force.type());
-        }
-        FatalErrorInFunction
-            << "One of the models " << flatOutput(names) << " adds " << unasked
-            << " in its constructor" << exit(FatalError);
+        refuse("torque, but has not called forceNeeds::torque() in its constructor");
     }
 }
 
 
-void Foam::grainForces::setAction
+void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
+{
+    const auto anyNegativeIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] < 0);
+        }
+        return any;
+    };
+
+    if (anyNegativeIn(batch.Sp))
+    {
+        refuse("a negative Sp: such drag would speed grains up");
+    }
+    if (requests().nonReacting && anyNegativeIn(batch.nonReactingSp))
+    {
+        refuse("a negative nonReactingSp: such drag would speed grains up");
+    }
+    if (requests().torque && anyNegativeIn(batch.spinCoefficient))
+    {
+        refuse("a negative spinCoefficient: such a torque would speed up the spin");
+    }
+}
+
+
+void Foam::grainForces::refuse(const char* what) const
+{
+    wordList names;
+    for (const grainForce& force : forces_)
+    {
+        names.append(force.type());
+    }
+    FatalErrorInFunction
+        << "One of the models " << flatOutput(names) << " adds " << what << exit(FatalError);
+}
+
+
+void Foam::grainForces::setActions
 (
     grainBatch& batch,
-    const label i,
     ownedGrains& grains,
-    const label g
+    const label first
 ) const
 {
-    fluidAction action;
-    action.velocity = grainBatch::get(batch.fluidVelocity, i);
-    action.dragCoefficient = batch.Sp[i];
-    action.force = grainBatch::get(batch.Su, i);
-    if (requests().nonReacting)
-    {
-        action.nonReactingCoefficient = batch.nonReactingSp[i];
-        action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
-    }
-    if (requests().torque)
-    {
-        action.spin = grainBatch::get(batch.fluidSpin, i);
-        action.spinCoefficient = batch.spinCoefficient[i];
-        action.torque = grainBatch::get(batch.torque, i);
-    }
-    grains.set(g, action);
-
+    const bool nonReacting = requests().nonReacting;
+    const bool torque = requests().torque;
     const label nStates = batch.nStateLanes();
-    if (nStates)
+    List<scalar> state(nStates);
+
+    for (label i = 0; i < batch.n; ++i)
     {
-        List<scalar> state(nStates);
-        forAll(state, k)
+        fluidAction action;
+        action.velocity = grainBatch::get(batch.fluidVelocity, i);
+        action.dragCoefficient = batch.Sp[i];
+        action.force = grainBatch::get(batch.Su, i);
+        if (nonReacting)
         {
-            state[k] = batch.stateLanes()[k][i];
+            action.nonReactingCoefficient = batch.nonReactingSp[i];
+            action.nonReactingForce = grainBatch::get(batch.nonReactingSu, i);
         }
-        grains.setState(g, state.cdata());
+        if (torque)
+        {
+            action.spin = grainBatch::get(batch.fluidSpin, i);
+            action.spinCoefficient = batch.spinCoefficient[i];
+            action.torque = grainBatch::get(batch.torque, i);
+        }
+        grains.set(first + i, action);
+
+        if (nStates)
+        {
+            forAll(state, k)
+            {
+                state[k] = batch.stateLanes()[k][i];
+            }
+            grains.setState(first + i, state.cdata());
+        }
     }
 }
 
@@ -278,6 +315,7 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
+    batch.clearSums(true, true);
     if (!requests().spin)
     {
         // A model that reads it without asking for it gets no number, which fix fluid/force refuses
@@ -292,7 +330,7 @@ Foam::scalar Foam::grainForces::act
         sampler_->at(batch, batch.fluidLanes());
         cellSampler::ofCells(quantities_.ofCells(), batch, batch.fluidLanes());
 
-        batch.clearSums();
+        batch.clearSums(requests().nonReacting, requests().torque);
         const grainBatch::lane* U = batch.fluid(U_);
         for (direction k = 0; k < 3; ++k)
         {
@@ -310,12 +348,12 @@ Foam::scalar Foam::grainForces::act
         {
             dispersion_->remember(batch);
         }
-        checkRequested(batch);
+        checkCoefficients(batch);
+        setActions(batch, grains, first);
 
         for (label i = 0; i < batch.n; ++i)
         {
             const label g = first + i;
-            setAction(batch, i, grains, g);
             records[g] = record
             {
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
@@ -327,6 +365,7 @@ Foam::scalar Foam::grainForces::act
             );
         }
     }
+    checkRequested(batch);
     grains.send();
     return slipSum;
 }

@@ -39,9 +39,10 @@ void Foam::viscousForce::add(grainBatch& grains) const
     const lane* divTau = grains.fluid(divTau_);
     lane* Su = reacts_ ? grains.Su : grains.nonReactingSu;
 
-    for (direction k = 0; k < 3; ++k)
+    // The loop over grains is the outer one: g++ makes a fifth of the instructions of it
+    for (label i = 0; i < grainBatch::size; ++i)
     {
-        for (label i = 0; i < grainBatch::size; ++i)
+        for (direction k = 0; k < 3; ++k)
         {
             Su[k][i] += grains.volume[i]*divTau[k][i];
         }

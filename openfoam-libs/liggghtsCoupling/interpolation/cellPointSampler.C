@@ -58,17 +58,6 @@ inline void Foam::cellPointSampler::put
 }
 
 
-void Foam::cellPointSampler::weigh(const grainBatch& grains, tetBatch& batch) const
-{
-    static_assert(tetBatch::size == grainBatch::size, "one point per grain");
-    for (label i = 0; i < grainBatch::size; ++i)
-    {
-        put(grains, i, batch);
-    }
-    batch.weigh();
-}
-
-
 Foam::cellPointSampler::weights Foam::cellPointSampler::search
 (
     const point& p,
@@ -90,6 +79,91 @@ Foam::cellPointSampler::weights Foam::cellPointSampler::search
         result.points[k] = cpw.faceVertices()[k];
     }
     return result;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::cellPointSampler::weigh(const grainBatch& grains, weights* places) const
+{
+    // A point on a common face of tetrahedra may be taken for either: the
+    // interpolation is continuous
+    const scalar tolerance = -1e-10;
+
+    static_assert(tetBatch::size == grainBatch::size, "one point per grain");
+    tetBatch batch;
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        put(grains, i, batch);
+    }
+    batch.weigh();
+
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        weights& at = places[i];
+        if (i >= grains.n)
+        {
+            at = places[grains.n - 1];
+        }
+        else if (hasPyramid(grains, i) && batch.least[i] >= tolerance)
+        {
+            const FixedList<label, 4>& points = corners_[grains.pyramid[i]];
+            for (label k = 0; k < 4; ++k)
+            {
+                at.w[k] = batch.weights[k][i];
+            }
+            at.points[0] = points[0];
+            at.points[1] = points[2];
+            at.points[2] = points[1 + 2*label(batch.isOther[i])];
+        }
+        else
+        {
+            at = search(position(grains, i), grains.cell[i]);
+        }
+    }
+}
+
+
+void Foam::cellPointSampler::interpolate
+(
+    const grainBatch& grains,
+    const weights* places,
+    grainBatch::lane* lanes
+) const
+{
+    values_.forBlocks
+    (
+        [&](const auto nBlocks, const label firstBlock)
+        {
+            constexpr label n = nBlocks*pointValues::blockSize;
+            const label first = firstBlock*pointValues::blockSize;
+
+            // First grain by grain, as the compiler then works on several numbers at once
+            scalar rows[grainBatch::size][n];
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                const weights& at = places[i];
+                const scalar* v0 = values_.inCell(grains.cell[i]) + first;
+                const scalar* v1 = values_.atPoint(at.points[0]) + first;
+                const scalar* v2 = values_.atPoint(at.points[1]) + first;
+                const scalar* v3 = values_.atPoint(at.points[2]) + first;
+                for (label k = 0; k < n; ++k)
+                {
+                    rows[i][k] =
+                        at.w[0]*v0[k] + at.w[1]*v1[k] + at.w[2]*v2[k] + at.w[3]*v3[k];
+                }
+            }
+
+            // The last ones of a row may be no lane: there is room for them
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                for (label k = 0; k < n; ++k)
+                {
+                    lanes[first + k][i] = rows[i][k];
+                }
+            }
+        }
+    );
 }
 
 
@@ -140,15 +214,9 @@ void Foam::cellPointSampler::update(const sampledFields& fields)
 
 void Foam::cellPointSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
 {
-    forGrains
-    (
-        grains,
-        [&](const label i, const weights& at)
-        {
-            interpolate(at, grains.cell[i], i, lanes);
-        }
-    );
-    repeatLast(grains, lanes);
+    weights places[grainBatch::size];
+    weigh(grains, places);
+    interpolate(grains, places, lanes);
 }
 
 

@@ -144,8 +144,9 @@ void Foam::pointValues::sumPoints(const label firstBlock)
     constexpr label n = nBlocks*blockSize;
     const scalar* cells = cells_.data() + blockSize*firstBlock;
     scalar* row = points_.data() + blockSize*firstBlock;
+    const label nPoints = mesh_.nPoints();
     label part = 0;
-    forAll(mesh_.points(), i)
+    for (label i = 0; i < nPoints; ++i)
     {
         scalar sum[n] = {};
         for (const label end = firstPart_[i + 1]; part < end; ++part)

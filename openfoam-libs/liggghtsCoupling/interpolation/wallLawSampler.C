@@ -233,27 +233,25 @@ void Foam::wallLawSampler::update(const sampledFields& fields)
 
 void Foam::wallLawSampler::at(const grainBatch& grains, grainBatch::lane* lanes) const
 {
-    forGrains
-    (
-        grains,
-        [&](const label i, const weights& at)
+    weights places[grainBatch::size];
+    weigh(grains, places);
+    interpolate(grains, places, lanes);
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        const label number = layer_.cellNumber(grains.cell[i]);
+        if (number < 0)
         {
-            interpolate(at, grains.cell[i], i, lanes);
-            const label number = layer_.cellNumber(grains.cell[i]);
-            if (number >= 0)
-            {
-                if (scalars_.empty())
-                {
-                    apply<WIDTH_OF_VELOCITY>(grains, at, number, i, lanes);
-                }
-                else
-                {
-                    apply<LARGEST_WIDTH>(grains, at, number, i, lanes);
-                }
-            }
+            continue;
         }
-    );
-    repeatLast(grains, lanes);
+        if (scalars_.empty())
+        {
+            apply<WIDTH_OF_VELOCITY>(grains, places[i], number, i, lanes);
+        }
+        else
+        {
+            apply<LARGEST_WIDTH>(grains, places[i], number, i, lanes);
+        }
+    }
 }
 
 

@@ -7,26 +7,6 @@
 #include "ownedGrains.H"
 #include "Pair.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using Foam::direction;
-
-void copy(const double* from, Foam::vector& to)
-{
-    to = Foam::vector(from[0], from[1], from[2]);
-}
-
-void copy(const Foam::vector& from, double* to)
-{
-    std::copy_n(from.cdata(), 3, to);
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
@@ -53,58 +33,23 @@ void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
 Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
 {
     fluidAction action;
-    copy(values, action.velocity);
+    action.velocity = vectorOf(values);
     action.dragCoefficient = values[3];
-    copy(values + 4, action.force);
+    action.force = vectorOf(values + 4);
     values += 7;
     if (session_.requested().nonReacting)
     {
         action.nonReactingCoefficient = values[0];
-        copy(values + 1, action.nonReactingForce);
+        action.nonReactingForce = vectorOf(values + 1);
         values += 4;
     }
     if (session_.requested().torque)
     {
-        copy(values, action.spin);
+        action.spin = vectorOf(values);
         action.spinCoefficient = values[3];
-        copy(values + 4, action.torque);
+        action.torque = vectorOf(values + 4);
     }
     return action;
-}
-
-
-void Foam::ownedGrains::setAtom
-(
-    const label atom,
-    const fluidAction& action,
-    const label rank,
-    const label number,
-    const bool present
-) const
-{
-    copy(action.velocity, exchange_.fluidVelocity[atom]);
-    copy(action.force, exchange_.explicitForce[atom]);
-    exchange_.dragCoefficient[atom] = action.dragCoefficient;
-    std::fill_n(exchange_.impulse[atom], 3, 0.0);
-    std::copy_n(grains_.position[atom], 3, exchange_.startPosition[atom]);
-
-    double* owner = exchange_.owner[atom];
-    owner[LAMMPS_NS::OWNER_RANK] = rank;
-    owner[LAMMPS_NS::OWNER_NUMBER] = number;
-    owner[LAMMPS_NS::OWNER_PRESENT] = present;
-
-    if (session_.requested().nonReacting)
-    {
-        exchange_.nonReactingCoefficient[atom] = action.nonReactingCoefficient;
-        copy(action.nonReactingForce, exchange_.nonReactingForce[atom]);
-        std::fill_n(exchange_.nonReactingImpulse[atom], 3, 0.0);
-    }
-    if (session_.requested().torque)
-    {
-        copy(action.spin, exchange_.fluidSpin[atom]);
-        exchange_.spinCoefficient[atom] = action.spinCoefficient;
-        copy(action.torque, exchange_.explicitTorque[atom]);
-    }
 }
 
 
@@ -192,8 +137,8 @@ void Foam::ownedGrains::restoreOwners()
         double* now = grains.position[atom];
         const double* start = exchange.startPosition[atom];
         const double* owner = exchange.owner[atom];
-        copy(now, positions[atom].first());
-        copy(start, positions[atom].second());
+        positions[atom].first() = vectorOf(now);
+        positions[atom].second() = vectorOf(start);
         owned[atom] =
             owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
         if (owned[atom])

@@ -8,7 +8,7 @@
 import unittest
 
 import grainjet
-from grainjet import coupled_box as box
+from grainjet import coupled_box as box, dictionaries
 
 GRAIN = box.grains([(0.01, 0.01, 0.01)], [(0, 0, 1)])
 
@@ -29,7 +29,8 @@ class BadInput(grainjet.Case):
                 if ranks:
                     self.foam("decomposePar", folder)
                 result = self.foam("pimpleFoam", folder, ranks, check=False, timeout=60)
-                self.assertFails(result, "FOAM FATAL", *words)
+                self.assertFails(result, *words)
+                self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
                 self.assertNotRegex(result.output, box.SOLVED)
 
     # the dictionary
@@ -89,6 +90,31 @@ class BadInput(grainjet.Case):
     def test_adjustable_time_step(self):
         self.fails("adjustTimeStep", "controlDict",
                    fluid={"control": "adjustTimeStep yes; maxCo 0.5;"})
+
+    def test_time_step_that_changes_in_a_running_case(self):
+        """Refused in the first step that is another, by what has changed it."""
+        for ranks, new, words in ((0, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
+                                  (2, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
+                                  (2, "adjustTimeStep yes; maxCo 0.5; deltaT 1e-4", "adjustTimeStep yes cannot")):
+            with self.subTest(ranks=ranks, new=new):
+                folder = self.new_folder()
+                box.write(folder, walls=True, cells="2 2 4", control="OptimisationSwitches { fileModificationSkew 0; }")
+                box.script(folder, grains=GRAIN)
+                box.fv_options(folder)
+                self.foam("blockMesh", folder)
+                controls = folder / "system/controlDict"
+                dictionaries.change(controls, ("runTimeModifiable no", "runTimeModifiable yes"))
+                others = [folder / name for name in ("system/first", "system/second")]
+                dictionaries.change(controls, ("functions {", f"""functions
+{{ update {{ type timeActivatedFileUpdate; libs ("libutilityFunctionObjects.so"); fileToUpdate "{controls}";
+timeVsFile ((-1 "{others[0]}") (0.0005 "{others[1]}")); }} """))
+                others[0].write_text(controls.read_text())
+                others[1].write_text(controls.read_text().replace("deltaT 0.0001", new))
+                if ranks:
+                    self.foam("decomposePar", folder)
+                result = self.foam("pimpleFoam", folder, ranks, check=False, timeout=60)
+                self.assertFails(result, words, "Time = 0.0005", box.SOLVED.split("(")[0])
+                self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
 
     # the script
 

@@ -88,6 +88,17 @@ class Missing(grainjet.Case):
     def test_files_parallel(self):
         self.check_files(2)
 
+    def test_message(self):
+        """Once for all ranks, and with the folder of the time that is incomplete, although the solver has begun
+        the step after it."""
+        for ranks, part in ((0, ""), (2, "processor0/")):
+            with self.subTest(ranks=ranks):
+                good = self.first_run(ranks, name=f"good{ranks}")
+                bad = self.damaged(good, lambda t: (t / "uniform/liggghts.restart").unlink(), ranks)
+                result = self.go_on(bad, ranks)
+                self.assertFails(result, f'Remove the folder "{part}{LAST}"', f'in "{part}{LAST}"')
+                self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
+
     def test_missing_on_one_rank_only(self):
         good = self.first_run(2)
         for name in ("particleMomentumOwed", "phi"):

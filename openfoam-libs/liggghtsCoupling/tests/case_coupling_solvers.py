@@ -41,6 +41,27 @@ class Solvers(box.CoupledCase):
         self.assertEqual(dumps.frames(folder / "grains.dump")[-1].step, 200)
         self.assertLess(max(balance["imbalance"]), 1e-10)
 
+    def test_relaxed_last_corrector(self):
+        """An equation that is relaxed in the last corrector is not satisfied, so that momentum gets lost: a
+        warning, once. None if only the correctors before are relaxed, or for one-way coupling."""
+        for factors, solver, coupling, warned in (
+                ('".*" 0.7;', "pimpleFoam", "twoWay", "UFinal"), ('".*" 0.7;', "pimpleFoam", "oneWay", None),
+                ("U 0.7;", "pimpleFoam", "twoWay", None), ('".*" 0.7; UFinal 1;', "pimpleFoam", "twoWay", None),
+                ("U 0.7;", "pisoFoam", "twoWay", "U")):
+            with self.subTest(factors=factors, solver=solver, coupling=coupling):
+                folder = self.new_folder()
+                box.write(folder, cells="2 2 4", steps=4, correctors="nOuterCorrectors 2; nCorrectors 1;")
+                box.script(folder, grains=box.grains(*swarm(5, 3)))
+                box.fv_options(folder, coupling=coupling)
+                dictionaries.change(folder / "system/fvSolution",
+                                    ("PIMPLE", f"relaxationFactors {{ equations {{ {factors} }} }}\nPIMPLE"))
+                if solver == "pisoFoam":
+                    dictionaries.change(folder / "system/fvSolution", ("\nPIMPLE", "\nPISO"))
+                self.foam("blockMesh", folder)
+                output = self.foam(solver, folder).output
+                self.assertEqual(output.count("last momentum equation of the time step is relaxed"), 1 if warned else 0)
+                self.assertTrue(not warned or f" for {warned} in relaxationFactors" in output, output)
+
     def test_four_ranks(self):
         """As on 2 ranks: the same to round-off, 1e-11."""
         serial = self.run_box(0, options=OPTIONS)

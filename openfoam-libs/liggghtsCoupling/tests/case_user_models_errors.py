@@ -48,7 +48,7 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ shearLift { c 1.615; } }", "Unknown entry c", "Valid:", "(C)", lines=options, parallel=True)
         self.assertOneError("{ drag { model scaledStokes; factro 2; } }", "Unknown entry factro", "factor",
                             "model", FILE)
-        self.assertOneError("{ viscousTorque { C 1; } }", "Unknown entry C", "It takes none", FILE)
+        self.assertOneError("{ viscousTorque { C 1; } }", "Unknown entry C", "It takes none\n", FILE)
 
     def test_bad_value(self):
         self.assertOneError("{ shearLift { C -1; } }", "C -1", "positive", FILE)
@@ -62,9 +62,16 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ drag { model scaledStokes; } }", "Entry factor is missing", FILE)
 
     def test_no_coefficients_in_the_short_form(self):
-        """The short form has no room for them: the model says what it lacks."""
-        self.assertOneError("(shearLift)", "Entry C is missing", FILE)
-        self.assertOneError(None, "Entry factor is missing", FILE, drag="scaledStokes")
+        """The short form has no room for them: the model says what it lacks, and how to write it."""
+        self.assertOneError("(shearLift)", "Entry C is missing", FILE, "no room for it",
+                            "forces { drag { model ...; } shearLift { C ...; } }\n", parallel=True)
+        self.assertOneError(None, "Entry factor is missing", FILE, "no room for it",
+                            "forces { drag { model scaledStokes; factor ...; } }\n", drag="scaledStokes")
+
+    def test_long_form_is_not_taken_for_the_short_one(self):
+        for forces in ("{ shearLift {} }", "{ drag { model scaledStokes; } }"):
+            folder = self.case(forces)
+            self.assertNotIn("short form", self.assertRefused(folder, "is missing", steps=True).output)
 
     def test_unknown_model(self):
         self.assertOneError("{ shearlift { C 1.6; } }", "shearlift", "shearLift", "pressureGradient", FILE,
@@ -78,6 +85,12 @@ class UserModelsErrors(bad_case.BadCase):
         self.change(folder, "system/controlDict", (str(user_library.build("userModels")), "libliggghtsCoupling.so"))
         self.assertRefused(folder, "shearLift", "libs", FILE, steps=True)
 
+    def test_library_in_the_options(self):
+        library = user_library.build("userModels")
+        folder = self.case("{ shearLift { C 1.6; } }", libs=f'("{library}")')
+        self.change(folder, "system/controlDict", (str(library), "libliggghtsCoupling.so"))
+        self.assertRuns(folder)
+
     # ---- what a model asks for
 
     def test_unknown_quantity(self):
@@ -88,6 +101,8 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { quantities (k); } }", "The model probe needs k", "laminar", FILE,
                             parallel=True)
         self.assertOneError("{ probe { quantities (U epsilon); } }", "needs epsilon", "laminar", FILE)
+        self.assertOneError("{ probe { quantities (wallDistance); } }", "The model probe needs wallDistance",
+                            "system/fvSchemes has no wallDist { method meshWave; }", FILE, parallel=True)
         self.assertOneError("{ thermophoresis { K 1; } }", "thermophoresis needs T", "no field T", FILE)
         self.assertOneError("{ probe { quantities (gradT); } }", "probe needs gradT", "no field T", FILE)
 
@@ -109,15 +124,23 @@ class UserModelsErrors(bad_case.BadCase):
         self.assertOneError("{ probe { states (a_b); } }", "state a_b", "letters and digits", FILE)
         self.assertOneError("{ probe { states (a); numbers 0; } }", "without numbers", FILE)
         self.assertOneError("{ probe { states (a); infinite yes; } }", "state a", "not finite", FILE)
+        self.assertOneError("{ probe::odd { states (a); } }", "The model probe::odd", "TypeName", FILE, parallel=True)
 
     def test_not_asked_for(self):
-        """What a model adds without asking for it would get lost: an error when it does."""
+        """What a model adds without asking for it would get lost: an error when it comes."""
         for unasked, words in (("torque", "adds torque"), ("nonReacting", "adds forces without reaction")):
             for ranks in (0, 2):
                 folder = self.case(f"{{ drag {{}} probe {{ unasked {unasked}; }} }}")
                 self.assertRefused(folder, "(drag probe)", words, f"forceNeeds::{unasked}()", ranks=ranks, steps=True)
         # the spin of grains that nobody has asked for is no number, and so is a force from it
         self.assertRefused(self.case("{ drag {} probe { unasked spin; } }"), "LIGGGHTS stopped", "force", steps=True)
+
+    def test_negative_coefficient(self):
+        """Such drag would speed grains up, without an end: an error in the first step."""
+        for negative in ("Sp", "nonReactingSp", "spinCoefficient"):
+            for ranks in (0, 2):
+                folder = self.case(f"{{ drag {{}} probe {{ negative {negative}; }} }}")
+                self.assertRefused(folder, "(drag probe)", f"a negative {negative}", ranks=ranks, steps=True)
 
     # ---- the fluid
 
@@ -126,7 +149,7 @@ class UserModelsErrors(bad_case.BadCase):
         for good in ("incompressible", "{ model incompressible; }", "{ model givenViscosity; nu 1e-5; }"):
             self.assertRuns(self.case("()", fluid=good))
         for bad, words in (
-                ("givenViscosity", ("Entry nu is missing",)),
+                ("givenViscosity", ("Entry nu is missing", "    fluid { model givenViscosity; nu ...; }\n")),
                 ("{ model givenViscosity; }", ("Entry nu is missing",)),
                 ("{ model givenViscosity; nuu 1; }", ("Unknown entry nuu", "model nu")),
                 ("{ model givenViscosity; nu -1; }", ("nu", "positive")),

@@ -15,6 +15,9 @@ namespace Foam
 {
     defineTypeNameAndDebug(probeForce, 0);
     addToRunTimeSelectionTable(grainForce, probeForce, dictionary);
+
+    // Once more under a name that no state can have
+    grainForce::adddictionaryConstructorToTable<probeForce> addOddlyNamedProbe_("probe::odd");
 }
 
 
@@ -33,15 +36,23 @@ Foam::probeForce::probeForce(const dictionary& dict, forceNeeds& needs)
             {"numbers", knownEntries::valueType::ANY},
             {"shift", knownEntries::valueType::ANY},
             {"unasked", knownEntries::valueType::WORD},
+            {"negative", knownEntries::valueType::WORD},
             {"shown", knownEntries::valueType::WORD},
             {"vector", knownEntries::valueType::SWITCH}
         }
     ),
     shift_(dict.lookupOrDefault<vector>("shift", Zero)),
     unasked_(dict.lookupOrDefault<word>("unasked", word())),
+    negative_(dict.lookupOrDefault<word>("negative", word())),
     shown_(dict.found("shown") ? needs.quantity(dict.get<word>("shown")) : -1),
     nShown_(dict.lookupOrDefault<Switch>("vector", false) ? 3 : 1)
 {
+    if (!negative_.empty())
+    {
+        needs.nonReacting();
+        needs.torque();
+    }
+
     for (const word& name : dict.lookupOrDefault<wordList>("quantities", wordList()))
     {
         needs.quantity(name);
@@ -82,6 +93,18 @@ void Foam::probeForce::add(grainBatch& grains) const
         if (unasked_ == "nonReacting")
         {
             grains.nonReactingSu[2][i] += 1e-12;
+        }
+        if (negative_ == "Sp")
+        {
+            grains.Sp[i] -= 1;
+        }
+        if (negative_ == "nonReactingSp")
+        {
+            grains.nonReactingSp[i] -= 1e-9;
+        }
+        if (negative_ == "spinCoefficient")
+        {
+            grains.spinCoefficient[i] -= 1e-15;
         }
     }
 }
