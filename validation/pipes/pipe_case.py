@@ -66,6 +66,7 @@ centres {{ type writeCellCentres; libs ("libfieldFunctionObjects.so"); writeCont
 SCRIPT = """# The grains of a periodic pipe; run by the coupling
 plugin load hertzcgplugin.so
 plugin load fluidforceplugin.so
+plugin load wallroughnessplugin.so
 units si
 soft_particles yes
 atom_style granular
@@ -100,7 +101,7 @@ fix fluid all fluid/force coupled
 {extra}
 fix motion all nve/sphere
 thermo 2000
-thermo_modify lost error norm no
+thermo_modify lost ignore norm no
 if "${{continued}} == 0" then "run 1"
 unfix pack
 """

@@ -44,13 +44,13 @@ class Pipes:
             whole["collisions"] &= entry.get("collisions", True)
         return whole
 
-    def run(self, case, size="standard"):
-        """All settings of a case in a size."""
+    def run(self, case, size="standard", **changes):
+        """All settings of a case in a size; changes hold last."""
         entry = choose(self.data["case"], case, "case")
         experiment = self.data["experiment"][entry["experiment"]]
         settings = (self.data["defaults"] | experiment | self.data["material"][experiment["material"]] | entry
                     | choose(self.data["size"], size, "size"))
-        settings["name"] = case
+        settings |= {"name": case, **changes}
         return derive(settings)
 
 
@@ -70,9 +70,9 @@ def derive(s):
     s["massFractions"] = [v/sum(volumes) for v in volumes]
     s["smallest"] = s["cg"]*min(diameters)
 
-    # A grain at the wall must have its centre inside of the mesh, whose wall is a prism
+    # A grain at the wall, pressed in by up to a third of its radius, must have its centre inside of the mesh, whose wall is a prism
     radius = s["D"]/2
-    s["nSide"] = max(s["nSide"], math.ceil(math.pi/4/math.acos(1 - s["smallest"]/2/radius)))
+    s["nSide"] = max(s["nSide"], math.ceil(math.pi/4/math.acos(1 - s["smallest"]/3/radius)))
     s["length"] = s["pipeLength"]*s["D"]
     s["nAxial"] = max(2, round(s["pipeLength"]/s["cellLength"]))
 

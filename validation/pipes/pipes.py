@@ -32,28 +32,34 @@ HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("case", "model", "size", "grains", "loading wanted", "loading", "mean particle velocity/Ubulk",
            "rms error gas", "mean error gas", "rms error particles", "mean error particles", "rms error of rms", "mean error of rms",
            "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)", "minutes")
+LOADING = 0.05                  # of the wanted one
 QUANTITIES = {"mean": "particles", "rms": "rms", "size": "size"}       # of a profile: entry of the case with its file
 
 
 def simulate(work, case, size, name, pipes, args):
-    """The folder and settings of a run, finished now or before."""
-    s = pipes.run(case, size)
+    """The folder and settings of a run, finished now or before. The slip of the table sets the number of grains; if the loading
+    comes out wrong by more than LOADING, the case runs once more with the slip that was found."""
+    ranks = {"ranks": args.ranks} if args.ranks else {}
+    s = pipes.run(case, size, **ranks)
     model = pipes.model(name)
-    if args.ranks:
-        s["ranks"] = args.ranks
     folder = work/f"{case}_{size}_{name}"
     stated = {"settings": {k: v for k, v in s.items() if k not in ("ranks", "title", "folder")}, "model": model}
     done = folder/"finished.json"
     if done.is_file() and not args.again:
         kept = json.loads(done.read_text())
         if kept["stated"] == json.loads(json.dumps(stated)):
-            return folder, s, kept["minutes"]
+            return folder, pipes.run(case, size, slip=kept["slip"]), kept["minutes"]
         print(f"{folder.name}: run with other numbers than pipes.toml has now, runs again", flush=True)
-    start = time.monotonic()
-    pipe_case.run(folder, s, model)
-    minutes = (time.monotonic() - start)/60
-    done.write_text(json.dumps({"stated": stated, "minutes": minutes}))
-    return folder, s, minutes
+    for _ in range(2):
+        start = time.monotonic()
+        pipe_case.run(folder, s, model)
+        minutes = (time.monotonic() - start)/60
+        slip = s["slip"]
+        if abs(pipe_profiles.loading(folder, s)/s["loading"] - 1) < LOADING:
+            break
+        s = pipes.run(case, size, slip=1 - particle_velocity(folder, s), **ranks)
+    done.write_text(json.dumps({"stated": stated, "slip": slip, "minutes": minutes}))
+    return folder, pipes.run(case, size, slip=slip), minutes
 
 
 def measured(data, s):
