@@ -33,6 +33,8 @@ COLUMNS = ("case", "model", "size", "grains", "loading wanted", "loading", "mean
            "rms error gas", "mean error gas", "rms error particles", "mean error particles", "rms error of rms", "mean error of rms",
            "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)", "minutes")
 LOADING = 0.05                  # of the wanted one
+# settings that a finished run may differ in: what follows from the slip, which is kept with the run, and what makes no difference
+UNSTATED = ("slip", "grains", "solidFraction", "ranks", "title", "folder")
 QUANTITIES = {"mean": "particles", "rms": "rms", "size": "size"}       # of a profile: entry of the case with its file
 
 
@@ -43,7 +45,7 @@ def simulate(work, case, size, name, pipes, args):
     s = pipes.run(case, size, **ranks)
     model = pipes.model(name)
     folder = work/f"{case}_{size}_{name}"
-    stated = {"settings": {k: v for k, v in s.items() if k not in ("ranks", "title", "folder")}, "model": model}
+    stated = {"settings": {k: v for k, v in s.items() if k not in UNSTATED}, "model": model}
     done = folder/"finished.json"
     if done.is_file() and not args.again:
         kept = json.loads(done.read_text())
