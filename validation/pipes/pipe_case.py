@@ -31,11 +31,12 @@ wallDist { method meshWave; }
 SOLUTION = """
 solvers
 {
-    "p.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.01; }
+    p { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.01; }
+    pFinal { solver PCG; preconditioner DIC; tolerance 1e-7; relTol %(relTol)g; }
     "(U|k|epsilon).*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-8; relTol 0.01; }
 }
 cache { grad(U); grad(p); }
-PIMPLE { nOuterCorrectors 1; nCorrectors 1; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }
+PIMPLE { nOuterCorrectors 1; nCorrectors %(correctors)d; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }
 SIMPLE { nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; residualControl { "(U|k|epsilon)" 1e-6; } }
 relaxationFactors { fields { p 0.3; } equations { U 0.7; "(k|epsilon)" 0.7; ".*Final" 1; } }
 """
@@ -181,7 +182,7 @@ def write(case, s, model):
     n = s["ranks"]
     dictionaries.write_all(case, {
         "system/blockMeshDict": mesh(s),
-        "system/fvSolution": SOLUTION,
+        "system/fvSolution": SOLUTION % {"correctors": s.get("correctors", 1), "relTol": 0.0 if "correctors" in s else 0.01},
         "system/decomposeParDict": f"numberOfSubdomains {n}; method simple; simpleCoeffs {{ n (1 1 {n}); delta 1e-6; }}",
         "constant/transportProperties": f"transportModel Newtonian; nu [0 2 -1 0 0 0 0] {s['nu']!r};\n"
                                         f"rho [1 -3 0 0 0 0 0] {s['rhoFluid']!r};",

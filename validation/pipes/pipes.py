@@ -32,7 +32,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("case", "model", "size", "grains", "loading wanted", "loading", "mean particle velocity/Ubulk",
            "rms error gas", "mean error gas", "rms error particles", "mean error particles", "rms error of rms", "mean error of rms",
            "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)", "minutes")
-LOADING = 0.05                  # of the wanted one
+LOADING = 0.1                   # of the wanted one
 # settings that a finished run may differ in: what follows from the slip, which is kept with the run, and what makes no difference
 UNSTATED = ("slip", "grains", "solidFraction", "ranks", "title", "folder")
 QUANTITIES = {"mean": "particles", "rms": "rms", "size": "size"}       # of a profile: entry of the case with its file
