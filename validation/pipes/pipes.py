@@ -49,7 +49,8 @@ def simulate(work, case, size, name, pipes, args):
     done = folder/"finished.json"
     if done.is_file() and not args.again:
         kept = json.loads(done.read_text())
-        if kept["stated"] == json.loads(json.dumps(stated)):
+        before = {**kept["stated"], "settings": {k: v for k, v in kept["stated"]["settings"].items() if k not in UNSTATED}}
+        if before == json.loads(json.dumps(stated)):
             return folder, pipes.run(case, size, slip=kept["slip"]), kept["minutes"]
         print(f"{folder.name}: run with other numbers than pipes.toml has now, runs again", flush=True)
     for _ in range(2):
