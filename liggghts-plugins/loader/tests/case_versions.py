@@ -22,7 +22,7 @@ class Versions(LoaderCase):
         self.assertEqual(project.group(1), VERSION)
 
     def test_every_part_is_stamped(self):
-        for name in ("hertzcgplugin", "platestatsplugin", "fluidforceplugin", "liggghtsloader"):
+        for name in ("hertzcgplugin", "platestatsplugin", "fluidforceplugin", "wallroughnessplugin", "liggghtsloader"):
             file = grainjet.ROOT / f"lib/{name}.so"
             symbols = subprocess.run(["nm", "-D", file], check=True, stdout=subprocess.PIPE, text=True).stdout
             self.assertIn("liggghtsplugin_grainjet", symbols, name)
