@@ -138,7 +138,7 @@ void Foam::wallLawSampler::around::add(const around& other, const scalar factor)
     weight += factor*other.weight;
     F += factor*other.F;
     U += factor*other.U;
-    for (label k = 0; k < 3; ++k)
+    for (label k = 0; k < 2; ++k)
     {
         shapes[k] += factor*other.shapes[k];
         values[k] += factor*other.values[k];
@@ -205,7 +205,7 @@ Foam::List<Foam::wallLawSampler::around> Foam::wallLawSampler::aroundPoints() co
     }
 
     constexpr label width = sizeof(around)/sizeof(scalar);
-    static_assert(width == 11, "summed as numbers");
+    static_assert(width == 9, "summed as numbers");
     layer_.sum(reinterpret_cast<scalar*>(sums.data()), 2*width);
 
     // From sums to means

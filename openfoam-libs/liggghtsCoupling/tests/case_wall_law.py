@@ -210,6 +210,13 @@ class WallLaw(grainjet.Case):
                 changed += a != b
         self.assertGreater(changed, 30)
 
+    def test_without_nut(self):
+        """Where nutkWallFunction gives no nut although y+ is 20, the solver has a linear profile, and so have we."""
+        folder = self.case(lambda p: (law(wall_distance(p)), 0, 0), k=lambda p: 1e-8, nut="nutkWallFunction")
+        places = [[SIZE / 12, share * CELL / 2, SIZE / 12] for share in (0.1, 0.3, 0.6, 0.9)]
+        for place, u in zip(places, self.sample(folder, places)):
+            self.assertClose(u, (law(CELL / 2) * place[1] / (CELL / 2), 0, 0), 1e-6)
+
     def test_laminar(self):
         """Bit for bit cellPoint, and said in the log."""
         folder = self.case(lambda p: (law(wall_distance(p)), 0, 0))
