@@ -16,8 +16,8 @@ namespace wall {
    distance: the value at y is that at y_P times shape(y+)/shape(y_P+). y+ is made with the
    velocity C_mu^(1/4) sqrt(k) of the layer.
 
-   In the log layer k = u_tau^2/sqrt(C_mu), epsilon = u_tau^3/(kappa y), nut = kappa u_tau y, as the
-   k-epsilon model and its wall functions have it (Launder & Spalding 1974). Below it:
+   In the log layer k = u_tau^2/sqrt(C_mu) and epsilon = u_tau^3/(kappa y), as the k-epsilon model and its
+   wall functions have it (Launder & Spalding 1974). Below it:
 
      k        goes with y^2, as a velocity without slip demands: 0.07 y+^2 u_tau^2, which is the DNS
               of pipe flow by Fukagata & Kasagi (2002) at y+ 1 to 4 (0.077 to 0.067, Re_tau 180). It
@@ -48,9 +48,6 @@ public:
 
   // Of epsilon: 1/y+ in the log layer
   double epsilon(double yPlus) const { return 1.0 / (yPlus > epsilonEdge_ ? yPlus : epsilonEdge_); }
-
-  // Of nut: y+ in the log layer
-  double nut(double yPlus) const { return yPlus * k(yPlus); }
 
 private:
   double epsilonEdge_, kEdge_;

@@ -89,12 +89,10 @@ void Foam::wallLawSampler::choose(const sampledFields& fields)
             U_ = (field.vector == &fluid_.U() ? field.lane : U_);
             continue;
         }
-        const word name(field.scalar->name());
-        const word quantity(name.substr(0, name.find(':')));
+        const word& quantity = field.scalar->name();
         const auto shape =
             quantity == "k" ? &shapes::k
-          : quantity == "epsilon" ? &shapes::epsilon
-          : quantity == "nut" ? &shapes::nut : nullptr;
+          : quantity == "epsilon" ? &shapes::epsilon : nullptr;
         if (shape)
         {
             scalars_.append(shapedScalar{field.scalar, field.lane, shape});

@@ -133,27 +133,43 @@ Foam::scalar Foam::wallLawSampler::turbulentFriction
 }
 
 
-Foam::List<Foam::scalar> Foam::wallLawSampler::meanShapes() const
+void Foam::wallLawSampler::around::add(const around& other, const scalar factor)
 {
-    const label width = 1 + scalars_.size();
-    List<scalar> mean(width*layer_.points().size(), Zero);
+    weight += factor*other.weight;
+    F += factor*other.F;
+    U += factor*other.U;
+    for (label k = 0; k < 2; ++k)
+    {
+        shapes[k] += factor*other.shapes[k];
+        values[k] += factor*other.values[k];
+    }
+}
+
+
+Foam::List<Foam::wallLawSampler::around> Foam::wallLawSampler::aroundPoints() const
+{
+    List<around> sums(2*layer_.points().size());
     const auto add = [&]
     (
         const label number,
+        const label celli,
         const scalar distance,
         const scalar friction,
         const scalar turbulent
     )
     {
-        const scalar F = length(distance, friction);
+        around a;
+        a.weight = 1;
+        a.F = length(distance, friction);
+        a.U = vectorAt(values().inCell(celli) + U_);
+        forAll(scalars_, s)
+        {
+            a.shapes[s] = shape(scalars_[s], distance*turbulent);
+            a.values[s] = (*scalars_[s].field)[celli];
+        }
         for (const wallLayer::share& s : layer_.freeShares(number))
         {
-            scalar* sum = &mean[width*s.point];
-            sum[0] += s.weight*F;
-            forAll(scalars_, k)
-            {
-                sum[1 + k] += s.weight*shape(scalars_[k], distance*turbulent);
-            }
+            sums[2*s.point + (number < layer_.nCells() ? 0 : 1)].add(a, s.weight);
         }
     };
 
@@ -162,13 +178,14 @@ Foam::List<Foam::scalar> Foam::wallLawSampler::meanShapes() const
         const scalar* row = rows_.data() + width_*number;
         add
         (
-            number, row[DISTANCE], row[FRICTION],
+            number, layer_.cell(number).cell, row[DISTANCE], row[FRICTION],
             scalars_.size() ? row[TURBULENT_FRICTION] : 0
         );
     }
     forAll(layer_.outerDistances(), i)
     {
         const label number = layer_.nCells() + i;
+        const label celli = layer_.outerCell(i);
         const SubList<wallLayer::share> shares(layer_.freeShares(number));
         if (shares.empty())
         {
@@ -182,12 +199,66 @@ Foam::List<Foam::scalar> Foam::wallLawSampler::meanShapes() const
         const scalar distance = layer_.outerDistances()[i];
         add
         (
-            number, distance, friction,
-            scalars_.size() ? turbulentFriction(layer_.outerCell(i), distance, friction) : 0
+            number, celli, distance, friction,
+            scalars_.size() ? turbulentFriction(celli, distance, friction) : 0
         );
     }
-    layer_.sum(mean.data(), width);
-    return mean;
+
+    constexpr label width = sizeof(around)/sizeof(scalar);
+    static_assert(width == 9, "summed as numbers");
+    layer_.sum(reinterpret_cast<scalar*>(sums.data()), 2*width);
+
+    // From sums to means
+    for (around& a : sums)
+    {
+        const scalar weight = a.weight;
+        if (weight > 0)
+        {
+            around mean;
+            mean.add(a, 1/weight);
+            mean.weight = weight;
+            a = mean;
+        }
+    }
+    return sums;
+}
+
+
+Foam::scalar Foam::wallLawSampler::between
+(
+    const scalar in,
+    const scalar out,
+    const scalar at,
+    const scalar mean
+)
+{
+    // Equal ones tell nothing, such as k in the log layer
+    return
+        mag(out - in) > 1e-6*mag(at)
+      ? min(max((at - in)/(out - in), scalar(0)), scalar(1)) : mean;
+}
+
+
+void Foam::wallLawSampler::bend
+(
+    const around& in,
+    const around& out,
+    const vector& normal,
+    const scalar* row,
+    scalar* value
+) const
+{
+    const scalar at = between(in.F, out.F, length(row[DISTANCE], row[FRICTION]), out.weight);
+    const vector U(in.U + at*(out.U - in.U));
+    const vector change(U - vectorAt(value + U_));
+    setVector(U - normal*(normal & change), value + U_);
+
+    forAll(scalars_, s)
+    {
+        const scalar there = shape(scalars_[s], row[DISTANCE]*row[TURBULENT_FRICTION]);
+        const scalar place = between(in.shapes[s], out.shapes[s], there, out.weight);
+        value[scalars_[s].lane] = in.values[s] + place*(out.values[s] - in.values[s]);
+    }
 }
 
 
@@ -215,7 +286,7 @@ void Foam::wallLawSampler::setPoints
     }
     layer_.sum(pointRow(0), width_);
 
-    const List<scalar> mean(meanShapes());
+    const List<around> cellsAround(aroundPoints());
 
     // On the wall that is g, and the scalars over their shapes. Beyond, cellPoint has the values
     forAll(points, i)
@@ -231,23 +302,18 @@ void Foam::wallLawSampler::setPoints
         }
 
         scalar* value = values().atPoint(p.point);
-        const scalar* shapes = &mean[(1 + scalars_.size())*i];
-        const scalar F = length(row[DISTANCE], row[FRICTION]);
-        divide(vectorAt(value + U_), vectorAt(row + LINEAR), p.normal, row);
-        if (p.free)
+        const around& in = cellsAround[2*i];
+        const around& out = cellsAround[2*i + 1];
+        if (in.weight > 0 && out.weight > 0)
         {
-            setVector(F/shapes[0]*vectorAt(row + OVER_LAW), row + OVER_LAW);
-            setVector
-            (
-                vectorAt(row + LINEAR) + F*vectorAt(row + OVER_LAW), value + U_
-            );
+            bend(in, out, p.normal, row, value);
         }
+        divide(vectorAt(value + U_), vectorAt(row + LINEAR), p.normal, row);
         forAll(scalars_, s)
         {
-            const scalar there = shape(scalars_[s], row[DISTANCE]*row[TURBULENT_FRICTION]);
-            scalar& known = value[scalars_[s].lane];
-            row[SCALARS + s] = known/(p.free ? shapes[1 + s] : there);
-            known = row[SCALARS + s]*there;
+            row[SCALARS + s] =
+                value[scalars_[s].lane]
+               /shape(scalars_[s], row[DISTANCE]*row[TURBULENT_FRICTION]);
         }
     }
     forAll(constrained_, i)

@@ -128,13 +128,18 @@ def centres(folder):
     return found
 
 
-def mesh(folder, text, **fluid):
-    """The case with its mesh; returns the cell centres."""
-    coupled_box.write(folder, **fluid)
-    dictionaries.write(folder / "system/blockMeshDict", text)
+def turbulent(folder):
+    """The k-epsilon model in a case that coupled_box has written."""
     dictionaries.write(folder / "constant/turbulenceProperties",
                        "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
     dictionaries.change(folder / "system/fvSolution", ('"U.*"', '"(U|k|epsilon).*"'))
+
+
+def mesh(folder, text, **fluid):
+    """The case with its mesh; returns the cell centres."""
+    coupled_box.write(folder, **fluid)
+    turbulent(folder)
+    dictionaries.write(folder / "system/blockMeshDict", text)
     result = run(["blockMesh"], folder)
     if result.code:
         raise AssertionError(result)
