@@ -26,6 +26,7 @@ ENTRIES = {
     "interpolation": Entry("choice", "cellPoint"),
     "formulation": Entry("choice", "SetI"),
     "momentum": Entry("choice", "implicit"),
+    "turbulentDispersion": Entry("choice", "none"),
     "turbulenceSources": Entry("choice", "none"),
     "fluid": Entry("choice", "incompressible"),
     "U": Entry("name", "U"),

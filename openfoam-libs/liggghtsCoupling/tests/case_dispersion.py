@@ -4,6 +4,7 @@
 """Turbulent dispersion in coupled runs: homogeneous turbulence against theory, the same on any number of ranks
 and after a restart, nothing without turbulence. The turbulence is frozen (turbulence off), and the flow at
 rest. The steps themselves are tested by physics/tests/test_dispersion.cpp, with large samples."""
+# label: long
 # processors: 2
 
 import math

@@ -42,7 +42,7 @@ class NewModelPage(unittest.TestCase):
         table = page[page.index("## Adding a model"):]
         documented = set(re.findall(r"(?m)^\| `(\w+)` \|", table))
         fluid = LIBRARY.parent.parent / "fluid"
-        offered = {name for file in ("standardQuantities.C", "accelerationQuantity.H")
+        offered = {name for file in ("standardQuantities.C", "turbulenceQuantities.C", "accelerationQuantity.H")
                    for name in re.findall(r'TypeName\("(\w+)"\)', (fluid / file).read_text())}
         self.assertEqual(documented, offered)
         header = (fluid / "fluidQuantity.H").read_text()
