@@ -18,7 +18,7 @@ namespace LAMMPS_NS {
 /* The given flow of fix fluid/force uniform, and what it does to a grain:
 
      uniform ux uy uz density rho viscosity nu [drag name] [buoyancy yes|no]
-       [rotation yes|no]                                                            */
+       [rotation yes|no] [addedMass C]                                              */
 class UniformFlow : protected Pointers {
  public:
 
@@ -40,8 +40,15 @@ class UniformFlow : protected Pointers {
   // in time, and for a long time step it converges to the terminal velocity where the
   // slip before the kick alone would make it oscillate. The estimate uses the coefficient
   // of the step before, which is exact enough while the drag is slow against the kick,
-  // or else, and where there is none (0), one more evaluation of the law.
-  double dragCoefficient(int i, const double *other, double kick, double before) const;
+  // or else, and where there is none (0), one more evaluation of the law. inertia: mass of the
+  // grain with its added mass (kg).
+  double dragCoefficient(int i, const double *other, double kick, double before,
+    double inertia) const;
+
+  // Added mass (kg) C density volume of a grain. The flow is steady and uniform, so the fluid
+  // itself does not accelerate
+  double addedMass(double volume) const { return addedMass_ * density_ * volume; }
+  bool hasAddedMass() const { return addedMass_ > 0.0; }
 
   // Torque per angular velocity (kg m2/s) of a sphere that spins in fluid at rest,
   // pi mu d^3 (Stokes; Happel & Brenner 1983, section 5-3). A grain's spin decays at the
@@ -57,6 +64,7 @@ class UniformFlow : protected Pointers {
   double viscosity_;                // m2/s, kinematic
   grainjet::drag::Law law_;
   bool buoyancy_, rotation_;
+  double addedMass_;                // coefficient C, -; 0 without
   class FixGravity *gravity_;
 };
 

@@ -40,6 +40,7 @@ ENTRIES = {
     "drag": Entry("choice", "stokes"),
     "buoyancy": Entry("switch", "yes"),
     "rotation": Entry("switch", "yes"),
+    "addedMass": Entry("positive", "0.5"),
 }
 KINDS = {"velocity": [(what, text.replace("x", bad)) for text in ("x 0 0", "0 0 x")
                       for what, bad in (("a word", "up"), ("not a number", "nan"), ("infinite", "inf"),

@@ -154,6 +154,11 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
         unasked = "torque, but has not called forceNeeds::torque()";
     }
 
+    if (!requested.addedMass && anyIn(batch.addedMass))
+    {
+        unasked = "added mass, but has not called forceNeeds::addedMass()";
+    }
+
     if (unasked)
     {
         wordList names;
@@ -191,6 +196,7 @@ void Foam::grainForces::setAction
         action.spinCoefficient = batch.spinCoefficient[i];
         action.torque = grainBatch::get(batch.torque, i);
     }
+    action.addedMass = batch.addedMass[i];
     grains.set(g, action);
 
     const label nStates = batch.nStateLanes();
@@ -304,7 +310,8 @@ Foam::scalar Foam::grainForces::act
             setAction(batch, i, grains, g);
             records[g] = record
             {
-                batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
+                batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i],
+                batch.addedMass[i]
             };
 
             slipSum += mag

@@ -46,6 +46,11 @@ void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
         copy(action.spin, values);
         values[3] = action.spinCoefficient;
         copy(action.torque, values + 4);
+        values += 7;
+    }
+    if (session_.requested().addedMass)
+    {
+        values[0] = action.addedMass;
     }
 }
 
@@ -68,6 +73,11 @@ Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
         copy(values, action.spin);
         action.spinCoefficient = values[3];
         copy(values + 4, action.torque);
+        values += 7;
+    }
+    if (session_.requested().addedMass)
+    {
+        action.addedMass = values[0];
     }
     return action;
 }
@@ -104,6 +114,10 @@ void Foam::ownedGrains::setAtom
         copy(action.spin, exchange_.fluidSpin[atom]);
         exchange_.spinCoefficient[atom] = action.spinCoefficient;
         copy(action.torque, exchange_.explicitTorque[atom]);
+    }
+    if (session_.requested().addedMass)
+    {
+        exchange_.addedMass[atom] = action.addedMass;
     }
 }
 
@@ -160,7 +174,8 @@ Foam::ownedGrains::ownedGrains
     }
     nExtras_ = nState_ + (requested.spin ? 3 : 0);
     nAction_ =
-        2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0) + nState_;
+        2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0)
+      + (requested.addedMass ? 1 : 0) + nState_;
 }
 
 
