@@ -7,6 +7,7 @@
 #include "grainForces.H"
 #include "cellSampler.H"
 #include "couplingEntries.H"
+#include "selfDisturbance.H"
 
 #include <algorithm>
 #include <limits>
@@ -80,6 +81,7 @@ void Foam::grainForces::fill
 ) const
 {
     const bool spin = requests().spin;
+    const bool impulse = requests().impulse;
     const label nStates = batch.nStateLanes();
     List<scalar> state(nStates);
 
@@ -109,6 +111,14 @@ void Foam::grainForces::fill
             for (direction k = 0; k < 3; ++k)
             {
                 batch.spin[k][i] = omega[k];
+            }
+        }
+        if (impulse)
+        {
+            const vector given(grains.impulse(g));
+            for (direction k = 0; k < 3; ++k)
+            {
+                batch.impulse[k][i] = given[k];
             }
         }
         if (nStates)
@@ -224,6 +234,7 @@ Foam::grainForces::grainForces
     quantities_(fluid),
     needs_
     (
+        dict,
         fluid,
         quantities_,
         couplingEntries::setI(dict)
@@ -237,6 +248,7 @@ Foam::grainForces::grainForces
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
     }
+    selfDisturbance::check(dict, forces_);
     sampler_ = fluidSampler::New(dict, locator);
 }
 

@@ -6,6 +6,7 @@
 
 #include "ownedGrains.H"
 #include "Pair.H"
+#include "vectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -172,7 +173,7 @@ Foam::ownedGrains::ownedGrains
     {
         nState_ += state.initial.size();
     }
-    nExtras_ = nState_ + (requested.spin ? 3 : 0);
+    nExtras_ = nState_ + (requested.spin ? 3 : 0) + (requested.impulse ? 3 : 0);
     nAction_ =
         2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0)
       + (requested.addedMass ? 1 : 0) + nState_;
@@ -199,8 +200,9 @@ void Foam::ownedGrains::restoreOwners()
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
 
     // Cells are looked for at the positions at the beginning of the interval. Meanwhile both
-    // positions of each grain are kept here
+    // positions of each grain and its impulse are kept here
     List<Pair<vector>> positions(grains.n);
+    vectorField impulses(grains.n);
     boolList owned(grains.n);
     forAll(positions, atom)
     {
@@ -209,6 +211,7 @@ void Foam::ownedGrains::restoreOwners()
         const double* owner = exchange.owner[atom];
         copy(now, positions[atom].first());
         copy(start, positions[atom].second());
+        copy(exchange.impulse[atom], impulses[atom]);
         owned[atom] =
             owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
         if (owned[atom])
@@ -235,6 +238,7 @@ void Foam::ownedGrains::restoreOwners()
     {
         copy(positions[atom].first(), grains.position[atom]);
         copy(positions[atom].second(), exchange.startPosition[atom]);
+        copy(impulses[atom], exchange.impulse[atom]);
         if (!owned[atom])
         {
             exchange.owner[atom][LAMMPS_NS::OWNER_RANK] = -1;
