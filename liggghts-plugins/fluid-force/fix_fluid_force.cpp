@@ -33,8 +33,10 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   nonReactingCoefficient_(NULL), nonReactingForce_(NULL), nonReactingImpulse_(NULL),
   nonReactingApplied_(NULL),
   fluidSpin_(NULL), spinCoefficient_(NULL), explicitTorque_(NULL), fluidTorque_(NULL),
+  addedMass_(NULL),
   exchange_(), exchangeOpen_(false), nonReactingRequested_(false), torqueRequested_(false),
-  nonReactingRead_(false), torqueRead_(false), removed_(lmp), running_(lmp), held_(lmp),
+  addedMassRequested_(false), nonReactingRead_(false), torqueRead_(false), addedMassRead_(false),
+  removed_(lmp), running_(lmp), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
   parse(narg, arg);
@@ -121,6 +123,7 @@ void FixFluidForce::post_create()
     // what a coupling had asked for before the restart file was written
     if (nonReactingRead_) create_non_reacting();
     if (torqueRead_) create_torque();
+    if (addedMassRead_) create_added_mass();
     properties_.create_states();
   }
 

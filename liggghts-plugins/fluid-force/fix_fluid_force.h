@@ -31,11 +31,15 @@ namespace LAMMPS_NS {
      fix ID group fluid/force coupled
      fix ID group fluid/force uniform ux uy uz density rho viscosity nu
          [drag name [sphericity phi]] [buoyancy yes|no] [rotation yes|no] [magnus yes|no]
+         [addedMass C]
 
    The drag acts last in the step, after all other forces are known, and is integrated
    exactly over the kick of velocity Verlet (physics/drag/exponential_drag.h). Half-step
    velocities are exact for constant other forces, whole-step velocities and positions
    of second order in dt/tau; stable for any drag coefficient.
+
+   An added mass m_a makes the grain accelerate as if its mass were m + m_a, while the integrator
+   knows m: all other forces are scaled by m/(m + m_a). Stable for any m_a/m.
 
    Per-grain values lie in stock fix property/atom instances (grain_properties.h), so that
    LIGGGHTS itself moves, sorts, restarts and dumps them (f_fluidForce[1] ...):
@@ -45,6 +49,7 @@ namespace LAMMPS_NS {
        fluidNonReactingApplied[3]      coupled, if the coupling asks for it (useNonReacting)
      fluidSpin[3] fluidSpinCoefficient fluidExplicitTorque[3]       the same with useTorque
      fluidTorque[3]                         coupled with useTorque, uniform with rotation yes
+     fluidAddedMass                         coupled with useAddedMass
      fluidState_<name>                                                     the same, addState
    fluidNonReactingApplied: forces without reaction of the latest step, N. Meaning and units of
    the others: fluid_force_exchange.h.
@@ -107,13 +112,14 @@ class FixFluidForce : public Fix {
   class FixPropertyAtom *nonReactingCoefficient_, *nonReactingForce_;
   class FixPropertyAtom *nonReactingImpulse_, *nonReactingApplied_;
   class FixPropertyAtom *fluidSpin_, *spinCoefficient_, *explicitTorque_, *fluidTorque_;
+  class FixPropertyAtom *addedMass_;
 
   // ---- style coupled
 
   FluidForceExchange exchange_;
   bool exchangeOpen_;               // a coupling has asked for the exchange
-  bool nonReactingRequested_, torqueRequested_;      // by that coupling
-  bool nonReactingRead_, torqueRead_;                // are in the restart file
+  bool nonReactingRequested_, torqueRequested_, addedMassRequested_;    // by that coupling
+  bool nonReactingRead_, torqueRead_, addedMassRead_;                   // are in the restart file
   RemovedGrains removed_;
   RunningState running_;
 
@@ -128,6 +134,7 @@ class FixFluidForce : public Fix {
 
   void create_non_reacting();
   void create_torque();
+  void create_added_mass();
   void drop_unrequested();
 
   void refresh_exchange();
@@ -137,7 +144,9 @@ class FixFluidForce : public Fix {
   // applies them; remove: take the previous ones off first; book: add the impulse of the half
   // kick before and the half kick to come
   void apply(double kick, bool remove, bool book);
-  template<bool UNIFORM, bool NON_REACTING> bool push(double kick, bool remove, bool book);
+  bool push(double kick, bool remove, bool book);
+  template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
+  bool push(double kick, bool remove, bool book);
   template<bool UNIFORM> bool turn(double kick, bool remove);
 
   const double *fluid_velocity(int) const;
@@ -151,6 +160,7 @@ class FixFluidForce : public Fix {
   static void clear_removed(FluidForceExchange *);
   static void use_non_reacting(FluidForceExchange *);
   static void use_torque(FluidForceExchange *);
+  static void use_added_mass(FluidForceExchange *);
   static int add_state(FluidForceExchange *, const char *, int, const double *);
   static double *state(FluidForceExchange *, int);
 };

@@ -40,11 +40,13 @@ void FixFluidForce::refresh_exchange()
     exchange_.spinCoefficient = spinCoefficient_->vector_atom;
     exchange_.explicitTorque = explicitTorque_->array_atom;
   }
+  if (addedMassRequested_) exchange_.addedMass = addedMass_->vector_atom;
   exchange_.nRemoved = removed_.grains().size();
   exchange_.removed = removed_.grains().data();
   exchange_.clearRemoved = clear_removed;
   exchange_.useNonReacting = use_non_reacting;
   exchange_.useTorque = use_torque;
+  exchange_.useAddedMass = use_added_mass;
   exchange_.addState = add_state;
   exchange_.state = state;
   exchange_.written = running_.written();
@@ -88,6 +90,11 @@ void FixFluidForce::create_torque()
   fluidTorque_ = properties_.create("fluidTorque", {0.0, 0.0, 0.0});
 }
 
+void FixFluidForce::create_added_mass()
+{
+  addedMass_ = properties_.create("fluidAddedMass", {0.0});
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixFluidForce::use_non_reacting(FluidForceExchange *exchange)
@@ -103,6 +110,14 @@ void FixFluidForce::use_torque(FluidForceExchange *exchange)
   FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
   if (!fix->explicitTorque_) fix->create_torque();
   fix->torqueRequested_ = true;
+  fix->refresh_exchange();
+}
+
+void FixFluidForce::use_added_mass(FluidForceExchange *exchange)
+{
+  FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
+  if (!fix->addedMass_) fix->create_added_mass();
+  fix->addedMassRequested_ = true;
   fix->refresh_exchange();
 }
 
@@ -133,6 +148,8 @@ void FixFluidForce::drop_unrequested()
   };
   if (nonReactingForce_ && !nonReactingRequested_) clear(nonReactingCoefficient_, nonReactingForce_);
   if (explicitTorque_ && !torqueRequested_) clear(spinCoefficient_, explicitTorque_);
+  if (addedMass_ && !addedMassRequested_)
+    for (int i = 0; i < nlocal; i++) addedMass_->vector_atom[i] = 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -157,8 +174,8 @@ int FixFluidForce::min_type()
 }
 
 /* ----------------------------------------------------------------------
-   Global part: numbers of RunningState, whether there are forces without reaction and torque,
-   states of the models
+   Global part: numbers of RunningState, whether there are forces without reaction, torque and
+   added mass, states of the models
 ------------------------------------------------------------------------- */
 
 void FixFluidForce::write_restart(FILE *fp)
@@ -166,6 +183,7 @@ void FixFluidForce::write_restart(FILE *fp)
   std::vector<double> list = running_.begin_write();
   list.push_back(nonReactingForce_ != NULL);
   list.push_back(explicitTorque_ != NULL);
+  list.push_back(addedMass_ != NULL);
   properties_.pack(list, !exchangeOpen_);
 
   if (comm->me) return;
@@ -190,6 +208,7 @@ void FixFluidForce::restart(char *buf)
   const double *list = running_.restart(reinterpret_cast<const double *>(buf));
   nonReactingRead_ = *list++ != 0.0;
   torqueRead_ = *list++ != 0.0;
+  addedMassRead_ = *list++ != 0.0;
   properties_.unpack(list);
 }
 

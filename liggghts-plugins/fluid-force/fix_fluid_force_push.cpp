@@ -24,9 +24,14 @@ using grainjet::drag::ExponentialDrag;
 
    The drag of both kinds is integrated as one, since each would change the velocity that the
    other sees. With forces of one kind only, nothing at all is booked for the other.
+
+   With an added mass m_a, M = m + m_a, the kick is that of M dv/dt = R + W + f: R and W the
+   fluid's other forces with and without reaction, f all other forces. The integrator divides
+   by m, so what is added to f is m dv/dt - f = (m/M)(R + W) - (m_a/M) f. This is all that the
+   fluid gives to the grain, R + W - m_a dv/dt; the reaction is to all of it but W.
 ------------------------------------------------------------------------- */
 
-template<bool UNIFORM, bool NON_REACTING>
+template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
 bool FixFluidForce::push(double kick, bool remove, bool book)
 {
   const int nlocal = atom->nlocal;
@@ -41,6 +46,7 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
   const double *explicits = UNIFORM ? NULL : explicitForce_->array_atom[0];
   double *coefficient = dragCoefficient_->vector_atom;
   const double *nonReactingCoefficient = NON_REACTING ? nonReactingCoefficient_->vector_atom : NULL;
+  const double *addedMasses = ADDED_MASS && !UNIFORM ? addedMass_->vector_atom : NULL;
   bool wrong = false;
 
   for (int i = 0; i < nlocal; i++) {
@@ -61,6 +67,10 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     const double *nonReacting = NON_REACTING ? nonReactingForce_->array_atom[0] + first : NULL;
 
     const double volume = UNIFORM ? UniformFlow::volume(atom->radius[i]) : 0.0;
+    const double mass = atom->rmass[i];
+    const double addedMass = !ADDED_MASS ? 0.0 : UNIFORM ? uniform_->addedMass(volume) : addedMasses[i];
+    const double inertia = ADDED_MASS ? mass + addedMass : mass;
+    const double own = mass / inertia, takenUp = addedMass / inertia;
     double given[3], other[3];
     for (int dim = 0; dim < 3; dim++) {
       if (remove) f[dim] -= applied[dim];
@@ -69,7 +79,7 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     }
     if (UNIFORM && uniform_->magnus()) {
       double lift[3];
-      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, atom->rmass[i], lift);
+      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, inertia, lift);
       for (int dim = 0; dim < 3; dim++) {
         given[dim] += lift[dim];
         other[dim] += lift[dim];
@@ -77,13 +87,14 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     }
     if (UNIFORM)
       coefficient[i] =
-        uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0);
+        uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0, inertia);
 
     if (!NON_REACTING) {
-      const ExponentialDrag drag(coefficient[i], kick, atom->rmass[i]);
+      const ExponentialDrag drag(coefficient[i], kick, inertia);
       for (int dim = 0; dim < 3; dim++) {
-        const double force =
+        double force =
           given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
+        if (ADDED_MASS) force = own * force - takenUp * f[dim];
         f[dim] += force;
         wrong |= !(std::fabs(force) <= LARGEST);    // also if it is no number
         if (book) impulse[dim] += half * (applied[dim] + force);
@@ -94,14 +105,15 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
 
     // One drag, shared out by the coefficients
     const double c = nonReactingCoefficient[i], b = coefficient[i] + c;
-    const ExponentialDrag drag(b, kick, atom->rmass[i]);
+    const ExponentialDrag drag(b, kick, inertia);
     const double share = c > 0.0 ? c / b : 0.0;
     const double slip = (1.0 - share) * drag.slip, taken = (1.0 - share) * drag.other;
     const double slipWithout = share * drag.slip, takenWithout = share * drag.other;
     for (int dim = 0; dim < 3; dim++) {
       const double speed = fluid[dim] - v[dim];
-      const double force = given[dim] + slip * speed - taken * other[dim];
+      double force = given[dim] + slip * speed - taken * other[dim];
       const double without = nonReacting[dim] + slipWithout * speed - takenWithout * other[dim];
+      if (ADDED_MASS) force = own * force - takenUp * (without + f[dim]);
       wrong |= !(std::fabs(force) + std::fabs(without) <= LARGEST);
       if (book) {    // the forces of the former step, too, each kind its own
         impulse[dim] += half * (applied[dim] - nonReactingApplied[dim] + force);
@@ -159,15 +171,25 @@ bool FixFluidForce::turn(double kick, bool remove)
 
 /* ---------------------------------------------------------------------- */
 
+bool FixFluidForce::push(double kick, bool remove, bool book)
+{
+  if (uniform_ && uniform_->hasAddedMass()) return push<true, false, true>(kick, remove, book);
+  if (uniform_) return push<true, false, false>(kick, remove, book);
+  if (addedMass_)
+    return nonReactingForce_ ? push<false, true, true>(kick, remove, book)
+      : push<false, false, true>(kick, remove, book);
+  return nonReactingForce_ ? push<false, true, false>(kick, remove, book)
+    : push<false, false, false>(kick, remove, book);
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixFluidForce::apply(double kick, bool remove, bool book)
 {
   sumStep_ = -1;    // on all ranks alike, also on one without grains
   if (atom->nlocal == 0) return;
 
-  const bool wrong = uniform_ ? push<true, false>(kick, remove, book)
-    : nonReactingForce_ ? push<false, true>(kick, remove, book)
-    : push<false, false>(kick, remove, book);
-  if (wrong) refuse_force();
+  if (push(kick, remove, book)) refuse_force();
   if (!fluidTorque_) return;
   if (uniform_ ? turn<true>(kick, remove) : turn<false>(kick, remove)) refuse_torque();
 }

@@ -61,6 +61,12 @@ struct FluidForceExchange {
   double *spinCoefficient;    // [n] kg m2/s, implicit torque spinCoefficient (fluidSpin - omega)
   double **explicitTorque;    // [n][3] N m, constant torque
 
+  // Added mass. NULL unless requested (useAddedMass)
+  double *addedMass;          // [n] kg, not negative: mass of fluid that gains the velocity which
+                              // the grain gains. Force -addedMass dv/dt, with reaction on the
+                              // fluid, v the grain's velocity; solved for, not lagged. The part
+                              // addedMass DU/Dt belongs into explicitForce
+
   // ---- Written by the fix. Impulses are the kicks that velocity Verlet really gave to the
   //      grain since the coupling last set them to zero
 
@@ -109,6 +115,7 @@ struct FluidForceExchange {
 
   void (*useNonReacting)(FluidForceExchange *);
   void (*useTorque)(FluidForceExchange *);
+  void (*useAddedMass)(FluidForceExchange *);
 
   // State of a model: `size` numbers per grain, which move with it, are sorted and restart.
   // New grains get `initial` (`size` numbers). Returns an index. The same name and size again

@@ -36,11 +36,14 @@ using grainjet::drag::State;
 static const double FASTEST = 299792458.0;
 static const double WIDEST = 1e12;
 
+// Of the added-mass coefficient: 0.5 for a sphere, more beside a wall or in a crowd
+static const double SMALLEST_ADDED = 1e-6, LARGEST_ADDED = 100.0;
+
 /* ---------------------------------------------------------------------- */
 
 UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
   Pointers(lmp), density_(0.0), viscosity_(0.0),
-  buoyancy_(false), rotation_(false), magnus_(false), gravity_(NULL)
+  buoyancy_(false), rotation_(false), magnus_(false), addedMass_(0.0), gravity_(NULL)
 {
   for (double &component : velocity_)
     component = arguments.number("the fluid velocity ux uy uz after 'uniform'", -FASTEST, FASTEST);
@@ -49,14 +52,15 @@ UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
   double sphericity = 0.0;    // none
   while (arguments.more()) {
     const std::string keyword = arguments.keyword(
-      {"density", "viscosity", "drag", "sphericity", "buoyancy", "rotation", "magnus"});
+      {"density", "viscosity", "drag", "sphericity", "buoyancy", "rotation", "magnus", "addedMass"});
     if (keyword == "density") density_ = arguments.positive("density", 1.0 / WIDEST, WIDEST);
     else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity", 1.0 / WIDEST, WIDEST);
     else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
     else if (keyword == "sphericity") sphericity = arguments.positive("sphericity", 0.01, 1.0);
     else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
     else if (keyword == "magnus") magnus_ = arguments.yesNo("magnus");
-    else rotation_ = arguments.yesNo("rotation");
+    else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
+    else addedMass_ = arguments.positive("addedMass", SMALLEST_ADDED, LARGEST_ADDED);
   }
   if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
   if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
@@ -127,9 +131,9 @@ double UniformFlow::volume(double radius)
 /* ---------------------------------------------------------------------- */
 
 double UniformFlow::dragCoefficient(int i, const double *other, double kick,
-  double before) const
+  double before, double inertia) const
 {
-  const double mass = atom->rmass[i], size = volume(atom->radius[i]);
+  const double size = volume(atom->radius[i]);
   double slip[3];
   for (int dim = 0; dim < 3; dim++) slip[dim] = velocity_[dim] - atom->v[i][dim];
 
@@ -141,13 +145,13 @@ double UniformFlow::dragCoefficient(int i, const double *other, double kick,
 
   const double slow = 0.05;    // b h / m up to which the last coefficient is a good estimate
   double estimate = before;
-  if (before <= 0.0 || before * kick > slow * mass) {
+  if (before <= 0.0 || before * kick > slow * inertia) {
     state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
     estimate = law_(state) * size;
   }
-  const ExponentialDrag drag(estimate, kick, mass);
+  const ExponentialDrag drag(estimate, kick, inertia);
   for (int dim = 0; dim < 3; dim++)
-    slip[dim] -= 0.5 * kick / mass * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
+    slip[dim] -= 0.5 * kick / inertia * (drag.slip * slip[dim] + (1.0 - drag.other) * other[dim]);
   state.slipSpeed = std::sqrt(slip[0]*slip[0] + slip[1]*slip[1] + slip[2]*slip[2]);
   return law_(state) * size;
 }
@@ -196,7 +200,7 @@ void UniformFlow::lift(int i, const double *other, double kick, double before, d
     // W x slip = slip x w, as the flow does not turn: W = -w
     const double M = cg * cg * cg * grainjet::lift::magnus(d, density_, viscosity_, slipSpeed, spin);
     for (int dim = 0; dim < 3; dim++) L[dim] = M * kept * cg * omega[dim];
-    const double b = dragCoefficient(i, total, kick, before);
+    const double b = dragCoefficient(i, total, kick, before, mass);
     const grainjet::lift::MeanLift lift(slip, other, L, b, kick, mass);
     for (int dim = 0; dim < 3; dim++) {
       result[dim] = lift.force[dim];

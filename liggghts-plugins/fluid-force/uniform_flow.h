@@ -21,7 +21,7 @@ namespace LAMMPS_NS {
 /* The given flow of fix fluid/force uniform, and what it does to a grain:
 
      uniform ux uy uz density rho viscosity nu [drag name [sphericity phi]]
-       [buoyancy yes|no] [rotation yes|no] [magnus yes|no]
+       [buoyancy yes|no] [rotation yes|no] [magnus yes|no] [addedMass C]
 
    A uniform flow has no vorticity: it does not turn grains, and has no lift by shear.     */
 class UniformFlow : protected Pointers {
@@ -46,8 +46,15 @@ class UniformFlow : protected Pointers {
   // in time, and for a long time step it converges to the terminal velocity where the
   // slip before the kick alone would make it oscillate. The estimate uses the coefficient
   // of the step before, which is exact enough while the drag is slow against the kick,
-  // or else, and where there is none (0), one more evaluation of the law.
-  double dragCoefficient(int i, const double *other, double kick, double before) const;
+  // or else, and where there is none (0), one more evaluation of the law. inertia: mass of the
+  // grain with its added mass (kg).
+  double dragCoefficient(int i, const double *other, double kick, double before,
+    double inertia) const;
+
+  // Added mass (kg) C density volume of a grain. The flow is steady and uniform, so the fluid
+  // itself does not accelerate
+  double addedMass(double volume) const { return addedMass_ * density_ * volume; }
+  bool hasAddedMass() const { return addedMass_ > 0.0; }
 
   // Torque per angular velocity (kg m2/s) of grain i over a kick (s), pi mu d^3 times the factor of fast
   // spin (physics/lift/spin_torque.h), the mean over the decay within the kick. A grain's spin
@@ -70,6 +77,7 @@ class UniformFlow : protected Pointers {
   double viscosity_;                // m2/s, kinematic
   std::function<double(const grainjet::drag::State &)> law_;
   bool buoyancy_, rotation_, magnus_;
+  double addedMass_;                // coefficient C, -; 0 without
   class FixGravity *gravity_;
 
   void set_law(grainjet::FixArguments &, const std::string &name, double sphericity);

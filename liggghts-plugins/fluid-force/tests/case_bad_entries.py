@@ -43,6 +43,7 @@ ENTRIES = {
     "buoyancy": Entry("switch", "yes"),
     "rotation": Entry("switch", "yes"),
     "magnus": Entry("switch", "yes"),
+    "addedMass": Entry("positive", "0.5"),
 }
 KINDS = {"velocity": [(what, text.replace("x", bad)) for text in ("x 0 0", "0 0 x")
                       for what, bad in (("a word", "up"), ("not a number", "nan"), ("infinite", "inf"),

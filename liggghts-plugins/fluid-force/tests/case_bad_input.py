@@ -67,6 +67,9 @@ class BadInput(grainjet.Case):
                 (f"uniform 1 0 0 {AIR} drag", ("missing", "drag law")),
                 (f"uniform 1 0 0 {AIR} buoyancy on", ("buoyancy must be yes or no", "'on'")),
                 (f"uniform 1 0 0 {AIR} rotation", ("missing rotation",)),
+                (f"uniform 1 0 0 {AIR} addedMass", ("missing addedMass",)),
+                (f"uniform 1 0 0 {AIR} addedMass 0", ("addedMass must be > 0",)),
+                (f"uniform 1 0 0 {AIR} addedMass 500", ("addedMass must be from 1e-06 to 100", "500")),
                 (f"uniform 1 0 0 {AIR} lift yes", ("unknown keyword 'lift'", "buoyancy")),
         ):
             with self.subTest(line):

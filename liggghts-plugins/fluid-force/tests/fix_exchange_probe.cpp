@@ -26,7 +26,7 @@ using namespace FixConst;
 FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), nonReacting_(false), torque_(false),
   nonReactingCoefficient_(0.0), nonReactingForce_(0.0),
-  spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), fluid_(NULL), mine_()
+  spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), addedMass_(0.0), fluid_(NULL), mine_()
 {
   if (narg < 8) error->all(FLERR, "Illegal fix exchange/probe command");
   nevery = atoi(arg[3]);
@@ -46,6 +46,9 @@ FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
       spin_ = atof(arg[n + 2]);
       explicitTorque_ = atof(arg[n + 3]);
       n += 4;
+    } else if (strcmp(arg[n], "addedMass") == 0 && n + 1 < narg) {
+      addedMass_ = atof(arg[n + 1]);
+      n += 2;
     } else if (strcmp(arg[n], "state") == 0 && n + 2 < narg) {
       states_.push_back(State{arg[n + 1], atoi(arg[n + 2]), -1});
       n += 3;
@@ -82,11 +85,12 @@ void FixExchangeProbe::post_create()
 
   FluidForceExchange *fluid = exchange();
   if (fluid->nonReactingForce || fluid->nonReactingCoefficient || fluid->nonReactingImpulse
-    || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque)
+    || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque || fluid->addedMass)
     error->all(FLERR, "Fix exchange/probe: arrays that nobody has requested");
 
   if (nonReacting_) fluid->useNonReacting(fluid);
   if (torque_) fluid->useTorque(fluid);
+  if (addedMass_ != 0.0) fluid->useAddedMass(fluid);
   for (State &state : states_) {
     std::vector<double> initial;
     for (int k = 0; k < state.size; k++) initial.push_back(k + 0.25);
@@ -179,6 +183,7 @@ void FixExchangeProbe::end_of_step()
     fluid->dragCoefficient[i] = coefficient_;
     if (nonReacting_) fluid->nonReactingCoefficient[i] = nonReactingCoefficient_;
     if (torque_) fluid->spinCoefficient[i] = spinCoefficient_;
+    if (addedMass_ != 0.0) fluid->addedMass[i] = addedMass_;
     fluid->owner[i][OWNER_RANK] = comm->me;
     fluid->owner[i][OWNER_NUMBER] = i;
     fluid->owner[i][OWNER_PRESENT] = 1;

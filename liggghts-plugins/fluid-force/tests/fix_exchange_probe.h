@@ -17,12 +17,13 @@ namespace LAMMPS_NS {
 /* Plays the coupling for the tests of fix fluid/force coupled:
 
      fix ID all exchange/probe N ux shear b fx [nonReacting c fz] [torque C spin T]
-       [state name size] ...
+       [addedMass m] [state name size] ...
 
    Every N steps it takes the impulses through the exchange header, and then writes the fluid
    velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force (fx, 0, 0).
      nonReacting  requests forces without reaction: coefficient c, force (0, 0, fz)
      torque       requests torque: coefficient C, spin of the fluid (0, 0, spin), torque (0, 0, T)
+     addedMass    requests added mass, m on every grain
      state        adds a state of `size` numbers, which begin with 0.25, 1.25, ...; every
                   exchange adds vx to the first, 2 vx to the second, ...
    Global vector:
@@ -55,6 +56,7 @@ class FixExchangeProbe : public Fix {
   bool nonReacting_, torque_;
   double nonReactingCoefficient_, nonReactingForce_;
   double spinCoefficient_, spin_, explicitTorque_;
+  double addedMass_;
   std::vector<State> states_;
   class Fix *fluid_;
   double mine_[SIZE];

@@ -24,14 +24,19 @@ void Foam::momentumExchange::deposit
         [&](const label g){ return grains.cell(g); },
         [&](const label g)
         {
-            // Of all that drag gives to a grain, the reaction of this share goes to the fluid
+            // Of all that drag gives to a grain, the reaction of this share goes to the fluid,
+            // less what its added mass takes up for the fluid
             const grainForces::record& r = records[g];
-            const scalar slope =
-                twoWay_ && r.dragCoefficient > 0
-              ? r.dragCoefficient/r.allCoefficients
-               *(-r.mass/dt*std::expm1(-r.allCoefficients*dt/r.mass))
-              : 0;
-            return exchanged{impulse_[g], r.dragCoefficient, slope, r.mass};
+            const scalar mass = r.mass + r.addedMass;
+            scalar slope = 0;
+            if (twoWay_ && r.dragCoefficient > 0)
+            {
+                const scalar response = -std::expm1(-r.allCoefficients*dt/mass);
+                slope =
+                    r.dragCoefficient/r.allCoefficients*(mass/dt*response)
+                  - r.addedMass/dt*response;
+            }
+            return exchanged{impulse_[g], r.dragCoefficient, max(slope, 0.0), mass};
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {

@@ -141,6 +141,20 @@ struct viscosityQuantity
 };
 
 
+struct effectiveViscosityQuantity
+:
+    public ofCellQuantity
+{
+    TypeName("nuEff");
+    using ofCellQuantity::ofCellQuantity;
+
+    virtual tmp<volScalarField> scalarField() const
+    {
+        return fluid_.model() ? fluid_.nu() + fluid_.model()->nut() : fluid_.nu();
+    }
+};
+
+
 struct pressureGradientQuantity
 :
     public vectorQuantity
@@ -258,6 +272,7 @@ makeFluidQuantity(velocityQuantity)
 makeFluidQuantity(voidFractionQuantity)
 makeFluidQuantity(densityQuantity)
 makeFluidQuantity(viscosityQuantity)
+makeFluidQuantity(effectiveViscosityQuantity)
 makeFluidQuantity(pressureGradientQuantity)
 makeFluidQuantity(viscousStressQuantity)
 makeFluidQuantity(vorticityQuantity)

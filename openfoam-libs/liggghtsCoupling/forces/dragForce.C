@@ -21,7 +21,8 @@ namespace Foam
 Foam::dragForce::dragForce(const dictionary& dict, forceNeeds& needs)
 :
     grainForce(dict, needs, checkedElsewhere()),
-    law_(dragLaw::New(dict, needs))
+    law_(dragLaw::New(dict, needs)),
+    wake_(selfDisturbance::New(needs))
 {}
 
 
@@ -29,12 +30,17 @@ Foam::dragForce::dragForce(const dictionary& dict, forceNeeds& needs)
 
 Foam::string Foam::dragForce::summary() const
 {
-    return law_->type();
+    return law_->type() + (wake_ ? wake_->summary() : string());
 }
 
 
 void Foam::dragForce::add(grainBatch& grains) const
 {
+    if (wake_)
+    {
+        wake_->correct(grains);
+    }
+
     lane slipSpeed;
     for (label i = 0; i < grainBatch::size; ++i)
     {

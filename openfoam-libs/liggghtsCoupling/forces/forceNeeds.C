@@ -14,11 +14,13 @@
 
 Foam::forceNeeds::forceNeeds
 (
+    const dictionary& coupling,
     const carrierFluid& fluid,
     fluidQuantities& quantities,
     const bool stressReacts
 )
 :
+    coupling_(coupling),
     fluid_(fluid),
     quantities_(quantities),
     firstState_(1, Zero),

@@ -7,6 +7,7 @@
 #include "grainForces.H"
 #include "cellSampler.H"
 #include "couplingEntries.H"
+#include "selfDisturbance.H"
 
 #include <algorithm>
 #include <limits>
@@ -82,6 +83,7 @@ void Foam::grainForces::fill
 ) const
 {
     const bool spin = requests().spin;
+    const bool impulse = requests().impulse;
     const label nStates = batch.nStateLanes();
     List<scalar> state(nStates);
 
@@ -111,6 +113,14 @@ void Foam::grainForces::fill
             for (direction k = 0; k < 3; ++k)
             {
                 batch.spin[k][i] = omega[k];
+            }
+        }
+        if (impulse)
+        {
+            const vector given(grains.impulse(g));
+            for (direction k = 0; k < 3; ++k)
+            {
+                batch.impulse[k][i] = given[k];
             }
         }
         if (nStates)
@@ -157,6 +167,10 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
     if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
     {
         refuse("torque, but has not called forceNeeds::torque() in its constructor");
+    }
+    if (!requested.addedMass && anyIn(batch.addedMass))
+    {
+        refuse("added mass, but has not called forceNeeds::addedMass() in its constructor");
     }
 }
 
@@ -229,6 +243,7 @@ void Foam::grainForces::setActions
             action.spinCoefficient = batch.spinCoefficient[i];
             action.torque = grainBatch::get(batch.torque, i);
         }
+        action.addedMass = batch.addedMass[i];
         grains.set(first + i, action);
 
         if (nStates)
@@ -255,6 +270,7 @@ Foam::grainForces::grainForces
     quantities_(fluid),
     needs_
     (
+        dict,
         fluid,
         quantities_,
         couplingEntries::setI(dict)
@@ -268,6 +284,7 @@ Foam::grainForces::grainForces
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));
     }
+    selfDisturbance::check(dict, forces_);
     dispersion_ = turbulentDispersion::New(dict, needs_);
     sampler_ = fluidSampler::New(dict, fluid, locator);
 }
@@ -315,7 +332,7 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
-    batch.clearSums(true, true);
+    batch.clearSums(true, true, true);
     if (!requests().spin)
     {
         // A model that reads it without asking for it gets no number, which fix fluid/force refuses
@@ -330,7 +347,10 @@ Foam::scalar Foam::grainForces::act
         sampler_->at(batch, batch.fluidLanes());
         cellSampler::ofCells(quantities_.ofCells(), batch, batch.fluidLanes());
 
-        batch.clearSums(requests().nonReacting, requests().torque);
+        batch.clearSums
+        (
+            requests().nonReacting, requests().torque, requests().addedMass
+        );
         const grainBatch::lane* U = batch.fluid(U_);
         for (direction k = 0; k < 3; ++k)
         {
@@ -356,7 +376,8 @@ Foam::scalar Foam::grainForces::act
             const label g = first + i;
             records[g] = record
             {
-                batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i]
+                batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i],
+                batch.addedMass[i]
             };
 
             slipSum += mag

@@ -6,6 +6,7 @@
 
 #include "ownedGrains.H"
 #include "Pair.H"
+#include "vectorField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -26,6 +27,11 @@ void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
         copy(action.spin, values);
         values[3] = action.spinCoefficient;
         copy(action.torque, values + 4);
+        values += 7;
+    }
+    if (session_.requested().addedMass)
+    {
+        values[0] = action.addedMass;
     }
 }
 
@@ -48,6 +54,11 @@ Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
         action.spin = vectorOf(values);
         action.spinCoefficient = values[3];
         action.torque = vectorOf(values + 4);
+        values += 7;
+    }
+    if (session_.requested().addedMass)
+    {
+        action.addedMass = values[0];
     }
     return action;
 }
@@ -103,9 +114,10 @@ Foam::ownedGrains::ownedGrains
     {
         nState_ += state.initial.size();
     }
-    nExtras_ = nState_ + (requested.spin ? 3 : 0);
+    nExtras_ = nState_ + (requested.spin ? 3 : 0) + (requested.impulse ? 3 : 0);
     nAction_ =
-        2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0) + nState_;
+        2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0)
+      + (requested.addedMass ? 1 : 0) + nState_;
 }
 
 
@@ -129,8 +141,9 @@ void Foam::ownedGrains::restoreOwners()
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
 
     // Cells are looked for at the positions at the beginning of the interval. Meanwhile both
-    // positions of each grain are kept here
+    // positions of each grain and its impulse are kept here
     List<Pair<vector>> positions(grains.n);
+    vectorField impulses(grains.n);
     boolList owned(grains.n);
     forAll(positions, atom)
     {
@@ -139,6 +152,7 @@ void Foam::ownedGrains::restoreOwners()
         const double* owner = exchange.owner[atom];
         positions[atom].first() = vectorOf(now);
         positions[atom].second() = vectorOf(start);
+        impulses[atom] = vectorOf(exchange.impulse[atom]);
         owned[atom] =
             owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
         if (owned[atom])
@@ -165,6 +179,7 @@ void Foam::ownedGrains::restoreOwners()
     {
         copy(positions[atom].first(), grains.position[atom]);
         copy(positions[atom].second(), exchange.startPosition[atom]);
+        copy(impulses[atom], exchange.impulse[atom]);
         if (!owned[atom])
         {
             exchange.owner[atom][LAMMPS_NS::OWNER_RANK] = -1;

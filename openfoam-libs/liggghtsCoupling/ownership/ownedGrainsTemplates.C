@@ -174,9 +174,16 @@ void Foam::ownedGrains::locate(const Found& found)
             [&](const label item, scalar* values)
             {
                 const label atom = sentAtoms_[item];
-                if (nExtras_ > nState_)
+                if (session_.requested().spin)
                 {
                     std::copy_n(grains_.spin[atom], 3, values);
+                }
+                if (session_.requested().impulse)
+                {
+                    std::copy_n
+                    (
+                        exchange_.impulse[atom], 3, values + nExtras_ - nState_ - 3
+                    );
                 }
                 getAtomState(atom, values + nExtras_ - nState_);
             },

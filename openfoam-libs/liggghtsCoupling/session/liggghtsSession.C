@@ -155,6 +155,10 @@ void Foam::liggghtsSession::request()
     {
         exchange.useTorque(&exchange);
     }
+    if (requested_.addedMass)
+    {
+        exchange.useAddedMass(&exchange);
+    }
     for (const requests::state& state : requested_.states)
     {
         stateIndex_.push_back
@@ -287,7 +291,7 @@ Foam::liggghtsSession::fluidArrays Foam::liggghtsSession::fluidForces() const
         exchange.startPosition, exchange.owner, exchange.dragCoefficient,
         exchange.nonReactingCoefficient, exchange.nonReactingForce,
         exchange.nonReactingImpulse, exchange.fluidSpin, exchange.spinCoefficient,
-        exchange.explicitTorque, {}
+        exchange.explicitTorque, exchange.addedMass, {}
     };
     for (const int index : stateIndex_)
     {
