@@ -10,6 +10,7 @@ Description
 
 #include "fluidQuantity.H"
 #include "addToRunTimeSelectionTable.H"
+#include "turbulenceModel.H"
 #include "fvcCurl.H"
 #include "wallDist.H"
 
