@@ -202,7 +202,7 @@ def main():
         table = csv.writer(output)
         table.writerow(("model", "Stokes number", "interval [s]", "r/R from", "r/R to", "concentration over the even one", "standard error"))
         table.writerows(rows)
-    axes.set(xlabel="$r/R$", ylabel="concentration over the even one", yscale="log")
+    axes.set(xlabel="$r/R$", ylabel="concentration over the even one", ylim=(0, 3.5))
     axes.axhline(1, color="k", linewidth=0.5)
     axes.legend(fontsize=7)
     plt.savefig(results/"well_mixed.png", dpi=130)

@@ -22,7 +22,7 @@ S = math.sqrt(2 * K / 3)                    # m/s
 T = 1.5 * 0.09 * K / EPSILON / SCT          # s; nut = 0.09 k2/epsilon: 2.857 ms
 DT = 1e-4                                   # s, an interval
 COLUMNS = "id xu yu zu vx vy vz"
-PERIODIC = 'boundaryField { ".*" { type cyclic; } }\n'
+SIDES = (("xlo", 0), ("xhi", 0.02), ("ylo", 0), ("yhi", 0.02), ("zlo", 0), ("zhi", 0.04))
 
 
 def turbulence(folder, k=K, epsilon=EPSILON, model="kEpsilon", walls=False, more="turbulence off; kMin 0;"):
@@ -133,8 +133,9 @@ class Dispersion(grainjet.Case):
         x += [(0.0002, 0.001 + 0.001 * i, 0.02) for i in range(18)]
         return x, [(rng.uniform(-0.5, 0.5), 0, rng.uniform(-0.5, 0.5)) for _ in x]
 
-    WALLS = "\n".join(f"fix w{side} all wall/gran model hertz tangential history primitive type 1 {side[0]}plane {at}"
-                      for side, at in (("xlo", 0), ("xhi", 0.02), ("ylo", 0), ("yhi", 0.02)))
+    WALLS, ALL_WALLS = ("\n".join(
+        f"fix w{side} all wall/gran model hertz tangential history primitive type 1 {side[0]}plane {at}" for side, at in sides)
+        for sides in (SIDES[:4], SIDES))
 
     # in x, across the cuts of the fluid
     VARYING = "nonuniform List<scalar> 2000 (" + " ".join(f"{0.3 + 0.02 * (i % 10):.3f}" for i in range(2000)) + ")"
@@ -188,10 +189,8 @@ class Dispersion(grainjet.Case):
         n, steps = 1500, 150
         x, v = box.swarm(n, 9)
         tau = 0.02 * T
-        folder = self.prepare("walls", (x, v), steps=steps, boundary="f f f", fixes=self.WALLS + "\n" + "\n".join(
-            f"fix w{side} all wall/gran model hertz tangential history primitive type 1 zplane {at}"
-            for side, at in (("zlo", 0), ("zhi", 0.04))), nu=1000 * NU, interval=50,
-            diameter=math.sqrt(18 * RHO * 1000 * NU * tau / 1000.0))
+        folder = self.prepare("walls", (x, v), steps=steps, boundary="f f f", fixes=self.ALL_WALLS, nu=1000 * NU,
+                              interval=50, diameter=math.sqrt(18 * RHO * 1000 * NU * tau / 1000.0))
         self.run_case(folder)
         rows = dumps.array(folder / "grains.dump")
         self.assertEqual(len(rows), n)
@@ -200,6 +199,33 @@ class Dispersion(grainjet.Case):
         print(f"\nin the tenth at the walls: {share} of {n}, evenly spread {0.1 * n:.0f} +- {error:.0f}")
         for count in share:
             self.assertLess(abs(count - 0.1 * n), 4 * error)
+
+    def test_wall_functions(self):
+        """Ten coarse cells between walls, k higher at the walls and as in the cell there, T of the logarithmic law:
+        proportional to the distance. Light grains stay evenly spread over the cells, to the error of the sample (from 10 groups of grains)
+        and 3 % for a linear interpolation between cells that T rises over several times."""
+        n, steps, groups = 3000, 600, 10
+        y = [min(i + 0.5, 9.5 - i) * 0.002 for i in range(10)]
+        k = [0.3 - 15 * d for d in y]
+        epsilon = [0.09 * a * a / (0.41 * 0.3 * d) for a, d in zip(k, y)]
+        tau = 5e-5
+        folder = self.prepare("coarse", self.at_rest(n, 11), steps=steps, boundary="f f f", fixes=self.ALL_WALLS,
+                              nu=1000 * NU, interval=50, every=1000, options={"interpolation": "cellPoint"},
+                              diameter=math.sqrt(18 * RHO * 1000 * NU * tau / 1000.0),
+                              fields={name: dictionaries.nonuniform(200 * values) for name, values in (("k", k), ("epsilon", epsilon))})
+        self.run_case(folder)
+        shares = []
+        for frame in dumps.frames(folder / "grains.dump")[6:]:
+            x = frame.array()[:, 1]
+            self.assertEqual(len(x), n)
+            cell = numpy.minimum(x, 0.02 - x) // 0.002
+            shares.append([[5 * (cell[g::groups] == i).mean() for i in range(5)] for g in range(groups)])
+        mean = numpy.mean(shares, axis=0)
+        error = mean.std(axis=0, ddof=1) / math.sqrt(groups)
+        print("\nfrom the wall:", *(f"{m:.3f} +- {e:.3f}" for m, e in zip(mean.mean(axis=0), error)))
+        self.assertLess(max(error), 0.035)
+        for share, e in zip(mean.mean(axis=0), error):
+            self.assertLess(abs(share - 1), 0.03 + 4 * e)
 
     # ---- pressure
 
