@@ -166,13 +166,13 @@ def interval(work):
 
 def cell(work):
     """One grain falls through still air in a closed box, two-way: how much its own wake in the
-    cell makes it too fast, against one-way."""
+    cell makes it too fast, against one-way; without and with selfDisturbance."""
     print("\ncell: one grain of particles of 30 um falls in still air (laminar), 20 ms; box 3 x 3 x 6 mm")
-    print("f_cg   cell/grain   cell/particle   fall two-way/one-way - 1, %   mean solid fraction")
+    print("f_cg   cell/grain   cell/particle   fall two-way/one-way - 1, %   selfDisturbance, %   mean solid fraction")
     for f, counts in ((1, (4, 8, 16)), (2, (4, 8, 16)), (4, (4, 8, 12))):
         for n in counts:
             fall = {}
-            for way in ("oneWay", "twoWay"):
+            for way in ("oneWay", "twoWay", "selfDisturbance"):
                 folder = fresh(work/"cell")
                 box.write(folder, steps=100, delta_t=2e-4, walls=True, cells=f"{n} {n} {2*n}")
                 dictionaries.put(folder/"system"/"blockMeshDict", scale=0.00015)
@@ -183,13 +183,15 @@ def cell(work):
                            grains=box.grains([at], [(0, 0, 0)], d, 2500.0), boundary="f f f",
                            box="0 0.003 0 0.003 0 0.006",
                            end=scripts.dump(1000, "grains.dump", "id vz"))
-                box.fv_options(folder, coupling=way, forces="()")
+                box.fv_options(folder, coupling="oneWay" if way == "oneWay" else "twoWay", forces="()",
+                               selfDisturbance="yes" if way == "selfDisturbance" else "no")
                 done(["blockMesh"], folder)
                 done(["pimpleFoam"], folder)
                 fall[way] = dumps.last(folder/"grains.dump")[1][0]
             size = 3e-3/n
             print(f"{f:4d} {size/(f*d):12.1f} {size/d:15.1f} "
-                  f"{100*(fall['twoWay']/fall['oneWay'] - 1):31.1f} {math.pi/6*(f*d/size)**3:21.4f}")
+                  f"{100*(fall['twoWay']/fall['oneWay'] - 1):31.1f} "
+                  f"{100*(fall['selfDisturbance']/fall['oneWay'] - 1):20.1f} {math.pi/6*(f*d/size)**3:21.4f}")
 
 
 def momentum(work):

@@ -22,48 +22,92 @@ namespace wake {
 
    with the viscosity nu that the flow is solved with, and w the speed of the body relative to the
    undisturbed fluid. A steady force in fluid at rest gives u = F/(rho nu L) sum k_i t_i, the
-   Stokes flow on the mesh; for large w the body leaves behind what it has set in motion.
+   Stokes flow on the mesh; for large w the body leaves behind what it has set in motion. k_i
+   depends on the place in the cell (Place): it is the mean over the pairs of a cell that holds a part of
+   the force and a cell that is sampled.
 
    The numbers are not fitted to flows with bodies. They describe the linear response of the
    equations on a cubic mesh, worked out in wave numbers: second-order differences for diffusion,
    the pressure of a collocated mesh, implicit Euler in time. The body moves in a straight
    line through cells, averaged over places in the cell and directions; its force lies in the
    cells that hold its parts, its sample is that of the interpolation. validation/own_wake/response.py
-   computes them: rms error 3 %, largest 7 %, for w L/nu from 0.1 to 1000;
-   at rest, while the flow builds up, 7 and 16 %.
+   computes them. rms error for w L/nu from 0.1 to 1000: 3 % sampled linearly, 5 % from the cell;
+   largest 7 and 18 %; at a given place of the cell 3 and 13 %; at rest, while the flow builds up, 7 and
+   10 %.
 
    Sources for the idea: Horwitz & Mani (2016) J. Comput. Phys. 318, 85; Esmaily & Horwitz (2018)
    J. Comput. Phys. 375, 960; Balachandar, Liu & Lakhote (2019) J. Comput. Phys. 376, 160.   */
 struct Response {
-  // of each mode, and how they change with the body's diameter over L, up to 1, if its force is
-  // divided among the cells that it reaches
-  double k[2], kSize[2];
-  double t[2], tSize[2];
-  double l[2], lSize[2];
+  double k[2][4];            // of each mode, for each number of Place
+  double t[2], l[2];
 };
 
 // sampled is the value of the cell, or linear interpolation between cell centre and points
 constexpr Response CELL = {
-  {0.439, 0.3105}, {-0.1724, -0.1184}, {0.1228, 0.4055}, {-0.0355, 0.1098},
-  {0.6028, 0.3473}, {0.0373, 0.3303}};
+  {{0.4717, 0.5473, -0.7657, 3.605}, {0.2829, 0.0407, 0.2910, -0.5705}}, {0.0847, 0.4874}, {0.5186, 0.5262}};
 constexpr Response CELL_POINT = {
-  {0.2416, 0.0746}, {-0.0727, -0.0283}, {0.0981, 0.8890}, {0.0366, 0.2981},
-  {0.5842, 0.9336}, {0.1623, 0.2645}};
+  {{0.4395, 0.4888, -2.005, 5.100}, {0.1409, 0.0088, 0.1420, -0.2405}}, {0.1073, 0.9653}, {0.6495, 1.050}};
+
+/* How much of its own force a body samples at once: the shares of pairs of a cell that holds a part of the force and a
+   cell that is sampled, which are the same cell, or neighbours over a face, an edge, a corner. Worked
+   out axis by axis for a cell that is a box.                                              */
+struct Place {
+  double pairs[4];
+
+  // offset: from the middle of the cell over half of its side, along each axis. radius: of the
+  // body over half of the side along each axis, 0 if its force is not divided. linear: sampled by
+  // linear interpolation between cell centre and points, else from the cell
+  Place(const double (&offset)[3], const double (&radius)[3], bool linear)
+  {
+    double local[3], beyond[3], nearest = 0.0;
+    for (int k = 0; k < 3; k++) {
+      local[k] = std::fmin(std::fabs(offset[k]), 1.0);
+      nearest = std::fmax(nearest, local[k]);
+      // part of a sphere that lies beyond the next face
+      const double R = std::fmin(radius[k], 1.0), room = 1.0 - local[k], in = std::fmax(R - room, 0.0);
+      beyond[k] = in * in * (2.0 * R + room) / (4.0 * R * R * R + 1e-300);
+    }
+
+    double inside[4] = {1.0, 0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; k++) multiply(inside, 1.0 - beyond[k], beyond[k]);
+    if (!linear) {
+      for (int n = 0; n < 4; n++) pairs[n] = inside[n];
+      return;
+    }
+
+    // A point of the mesh has the mean of the cells around it: half of them on either side
+    double points[4] = {1.0, 0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; k++) {
+      const double towards = 0.5 * (1.0 + local[k] / (nearest + 1e-300));
+      multiply(points, 0.5 * towards + 0.5 * (1.0 - beyond[k]) * (1.0 - towards), 0.5);
+    }
+    for (int n = 0; n < 4; n++) pairs[n] = (1.0 - nearest) * inside[n] + nearest * points[n];
+  }
+
+ private:
+
+  static void multiply(double (&q)[4], double same, double next)
+  {
+    for (int n = 3; n > 0; n--) q[n] = q[n] * same + q[n - 1] * next;
+    q[0] *= same;
+  }
+};
 
 /* One time step of the fluid. The solver treats diffusion implicitly, and so do the modes:
 
-       u_i' = (u_i + gain_i J/(rho V)) kept_i,    J = F dt the impulse of the step           */
+       a_i' = (a_i + J/(rho V)) kept_i,    J = F dt the impulse of the step
+       u = sum over i of weight_i a_i                                                       */
 struct Step {
-  double gain[2], kept[2];
+  double kept[2], weight[2];
 
-  // size: diameter of the body over L, 0 if its force is not divided. D: nu dt/L^2. C: w dt/L
-  Step(const Response &r, double size, double D, double C)
+  // D: nu dt/L^2. C: w dt/L
+  Step(const Response &r, const Place &place, double D, double C)
   {
-    const double s = size < 1.0 ? size : 1.0;
     for (int i = 0; i < 2; i++) {
-      const double fading = D / (r.t[i] + r.tSize[i] * s), leaving = C / (r.l[i] + r.lSize[i] * s);
-      gain[i] = r.k[i] + r.kSize[i] * s;
+      const double fading = D / r.t[i], leaving = C / r.l[i];
       kept[i] = std::exp(fading - std::sqrt(fading * fading + leaving * leaving)) / (1.0 + fading);
+      weight[i] = 0.0;
+      for (int n = 0; n < 4; n++) weight[i] += r.k[i][n] * place.pairs[n];
     }
   }
 };

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "selfDisturbance.H"
+#include "boundBox.H"
 #include "couplingEntries.H"
 #include "dragForce.H"
 
@@ -27,6 +28,20 @@ bool isDivided(const dictionary& coupling)
     return
         coupling.subOrEmptyDict("voidFraction").lookupOrDefault<word>("model", "divided")
      == "divided";
+}
+
+
+// Half of the box around each cell
+tmp<vectorField> halfSides(const fvMesh& mesh)
+{
+    tmp<vectorField> tsides(new vectorField(mesh.nCells()));
+    const labelListList& cellPoints = mesh.cellPoints();
+    forAll(cellPoints, celli)
+    {
+        const boundBox box(mesh.points(), cellPoints[celli], false);
+        tsides.ref()[celli] = 0.5*box.span();
+    }
+    return tsides;
 }
 
 } // End anonymous namespace
@@ -72,15 +87,13 @@ bool Foam::selfDisturbance::wanted(const dictionary& coupling)
 Foam::selfDisturbance::selfDisturbance(forceNeeds& needs)
 :
     mesh_(needs.mesh()),
-    response_
-    (
-        interpolationOf(needs.coupling()) == "cell"
-      ? grainjet::wake::CELL : grainjet::wake::CELL_POINT
-    ),
+    linear_(interpolationOf(needs.coupling()) == "cellPoint"),
+    response_(linear_ ? grainjet::wake::CELL_POINT : grainjet::wake::CELL),
     divided_(isDivided(needs.coupling())),
+    halfSide_(halfSides(needs.mesh())),
     rho_(needs.quantity("rho")),
     nuEff_(needs.quantity("nuEff")),
-    modes_(needs.state("ownWake", scalarList(6, 0.0)))
+    modes_(needs.state("ownWake", scalarList(9, 0.0)))
 {
     needs.impulse();
 }
@@ -132,27 +145,32 @@ void Foam::selfDisturbance::correct(grainBatch& grains) const
     const lane& rho = *grains.fluid(rho_);
     const lane& nuEff = *grains.fluid(nuEff_);
     lane* modes = grains.state(modes_);
+    lane* seen = modes + 6;
     const scalarField& V = mesh_.V();
+    const vectorField& C = mesh_.cellCentres();
     const scalar dt = mesh_.time().deltaTValue();
 
     for (label i = 0; i < grainBatch::size; ++i)
     {
-        const scalar volume = V[grains.cell[i]];
+        const label celli = grains.cell[i];
+        const scalar volume = V[celli];
         const scalar side = std::cbrt(volume);
 
-        // Speed relative to the fluid as it was undisturbed until now
+        // Speed relative to the fluid as it was undisturbed until now, and place in the cell
         scalar sqr = 0;
+        scalar offset[3], radius[3];
         for (direction k = 0; k < 3; ++k)
         {
             const scalar slip =
-                grains.fluidVelocity[k][i] - modes[k][i] - modes[k + 3][i]
-              - grains.velocity[k][i];
+                grains.fluidVelocity[k][i] - seen[k][i] - grains.velocity[k][i];
             sqr += slip*slip;
+            offset[k] = (grains.position[k][i] - C[celli][k])/halfSide_[celli][k];
+            radius[k] = divided_ ? grains.radius[i]/halfSide_[celli][k] : 0;
         }
         const grainjet::wake::Step step
         (
             response_,
-            divided_ ? 2*grains.radius[i]/side : 0,
+            grainjet::wake::Place(offset, radius, linear_),
             nuEff[i]*dt/(side*side),
             std::sqrt(sqr)*dt/side
         );
@@ -160,12 +178,14 @@ void Foam::selfDisturbance::correct(grainBatch& grains) const
         for (direction k = 0; k < 3; ++k)
         {
             const scalar given = -grains.impulse[k][i]/(rho[i]*volume);
+            seen[k][i] = 0;
             for (direction mode = 0; mode < 2; ++mode)
             {
-                scalar& u = modes[k + 3*mode][i];
-                u = (u + step.gain[mode]*given)*step.kept[mode];
-                grains.fluidVelocity[k][i] -= u;
+                scalar& a = modes[k + 3*mode][i];
+                a = (a + given)*step.kept[mode];
+                seen[k][i] += step.weight[mode]*a;
             }
+            grains.fluidVelocity[k][i] -= seen[k][i];
         }
     }
 }
