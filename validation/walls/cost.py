@@ -61,9 +61,8 @@ def count(folder, places, **options):
 
 def main(work):
     make(work)
-    rng = random.Random(1)
-
     def grains(n, low, high):
+        rng = random.Random(1)      # the same with and without
         return [(rng.uniform(0, SIZE), rng.uniform(low, high), rng.uniform(0, SIZE)) for _ in range(n)]
 
     few, many = 100, 900

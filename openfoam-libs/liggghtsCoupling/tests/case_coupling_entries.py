@@ -24,6 +24,7 @@ ENTRIES = {
     "drag": Entry("choice", "Gidaspow"),
     "forces": Entry("words", "(pressureGradient viscous)"),
     "interpolation": Entry("choice", "cellPoint"),
+    "wallLaw": Entry("switch", "no"),
     "formulation": Entry("choice", "SetI"),
     "momentum": Entry("choice", "implicit"),
     "turbulentDispersion": Entry("choice", "none"),
