@@ -25,6 +25,7 @@ ENTRIES = {
     "forces": Entry("words", "(pressureGradient viscous)"),
     "interpolation": Entry("choice", "cellPoint"),
     "formulation": Entry("choice", "SetI"),
+    "selfDisturbance": Entry("switch", "yes"),
     "momentum": Entry("choice", "implicit"),
     "turbulenceSources": Entry("choice", "none"),
     "fluid": Entry("choice", "incompressible"),
