@@ -26,6 +26,7 @@ ENTRIES = {
     "interpolation": Entry("choice", "cellPoint"),
     "wallLaw": Entry("switch", "no"),
     "formulation": Entry("choice", "SetI"),
+    "selfDisturbance": Entry("switch", "yes"),
     "momentum": Entry("choice", "implicit"),
     "turbulentDispersion": Entry("choice", "none"),
     "turbulenceSources": Entry("choice", "none"),
