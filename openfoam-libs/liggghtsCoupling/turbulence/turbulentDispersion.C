@@ -256,7 +256,7 @@ void Foam::turbulentDispersion::remember(grainBatch& grains) const
     lane& rate = *grains.state(rate_);
     for (label i = 0; i < grainBatch::size; ++i)
     {
-        rate[i] = 
+        rate[i] =
             (grains.Sp[i] + grains.nonReactingSp[i])/(grains.mass[i] + grains.addedMass[i]);
         keep(grains, i, exp(-rate[i]*dt_), grainBatch::get(mean_, i));
     }
