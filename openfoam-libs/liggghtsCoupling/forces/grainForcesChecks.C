@@ -1,0 +1,94 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    What models must not add to the sums of a batch, see grainForces.H.
+
+\*---------------------------------------------------------------------------*/
+
+#include "grainForces.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::grainForces::checkRequested(const grainBatch& batch) const
+{
+    const liggghtsSession::requests& requested = requests();
+    const auto anyIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] != 0);
+        }
+        return any;
+    };
+    const auto anyInVector = [&](const grainBatch::lane* lanes)
+    {
+        return anyIn(lanes[0]) || anyIn(lanes[1]) || anyIn(lanes[2]);
+    };
+
+    if
+    (
+        !requested.nonReacting
+     && (anyIn(batch.nonReactingSp) || anyInVector(batch.nonReactingSu))
+    )
+    {
+        refuse
+        (
+            "forces without reaction, but has not called forceNeeds::nonReacting()"
+            " in its constructor"
+        );
+    }
+    if (!requested.torque && (anyIn(batch.spinCoefficient) || anyInVector(batch.torque)))
+    {
+        refuse("torque, but has not called forceNeeds::torque() in its constructor");
+    }
+    if (!requested.addedMass && anyIn(batch.addedMass))
+    {
+        refuse("added mass, but has not called forceNeeds::addedMass() in its constructor");
+    }
+}
+
+
+void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
+{
+    const auto anyNegativeIn = [](const grainBatch::lane& lane)
+    {
+        bool any = false;
+        for (label i = 0; i < grainBatch::size; ++i)
+        {
+            any |= (lane[i] < 0);
+        }
+        return any;
+    };
+
+    if (anyNegativeIn(batch.Sp))
+    {
+        refuse("a negative Sp: such drag would speed grains up");
+    }
+    if (requests().nonReacting && anyNegativeIn(batch.nonReactingSp))
+    {
+        refuse("a negative nonReactingSp: such drag would speed grains up");
+    }
+    if (requests().torque && anyNegativeIn(batch.spinCoefficient))
+    {
+        refuse("a negative spinCoefficient: such a torque would speed up the spin");
+    }
+}
+
+
+void Foam::grainForces::refuse(const char* what) const
+{
+    wordList names;
+    for (const grainForce& force : forces_)
+    {
+        names.append(force.type());
+    }
+    FatalErrorInFunction
+        << "One of the models " << flatOutput(names) << " adds " << what << exit(FatalError);
+}
+
+
+// ************************************************************************* //
