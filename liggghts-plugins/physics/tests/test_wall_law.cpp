@@ -125,7 +125,9 @@ TEST(SpaldingTable, Continuous)
   for (int octave = 0; octave < 23; ++octave)
     for (int i = 0; i < 32; ++i) {
       const double node = std::ldexp(1 + i / 32.0, octave) - 1, step = 1e-12 * (1 + node);
-      if (node > 0) EXPECT_NEAR(table.uPlus(node - step), table.uPlus(node + step), 1e-8) << node;
+      if (node > 0) {
+        EXPECT_NEAR(table.uPlus(node - step), table.uPlus(node + step), 1e-8) << node;
+      }
     }
 }
 
