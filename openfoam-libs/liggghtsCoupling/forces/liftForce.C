@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "liftForce.H"
+#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -13,7 +14,26 @@ Foam::liftForce::liftForce(const dictionary& dict, forceNeeds& needs)
     grainForce(dict, needs),
     limited_(false),
     warned_(false)
-{}
+{
+    // In the short form drag is always the first one
+    if (!needs.coupling().isDict("forces"))
+    {
+        return;
+    }
+    const wordList names(needs.coupling().subDict("forces").toc());
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (names.find("drag") > names.find(dict.dictName()))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "forces: drag stands behind " << dict.dictName() << ", which is limited"
+                    << " by it. Put drag before it" << exit(FatalIOError);
+            }
+        }
+    );
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -29,6 +29,12 @@ class LiftEntries(bad_case.BadCase):
             self.assertRefused(self.options(f"{{ drag {{}} {model} {{ C 1; }} }}"), "constant/fvOptions", f"Unknown entry C", model)
         self.assertRefused(self.options("{ drag {} Saffman {} }"), "Unknown force Saffman", "SaffmanMei")
 
+    def test_drag_behind(self):
+        for ranks in (0, 2):
+            for model in ("SaffmanMei", "Magnus"):
+                self.assertRefused(self.options(f"{{ {model} {{}} drag {{}} }}"), "constant/fvOptions",
+                                   f"drag stands behind {model}", ranks=ranks)
+
     def test_sphericity(self):
         for law, least in (("HaiderLevenspiel", "0.026"), ("Ganser", "0.09")):
             for value in ("0", "-0.5", "1.001", "0.0259", "80"):
