@@ -49,21 +49,21 @@ UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
     component = arguments.number("the fluid velocity ux uy uz after 'uniform'", -FASTEST, FASTEST);
 
   std::string law = "gidaspow";
-  double sphericity = 0.0;    // none
+  double sphericity = NAN;    // none
   while (arguments.more()) {
     const std::string keyword = arguments.keyword(
       {"density", "viscosity", "drag", "sphericity", "buoyancy", "rotation", "magnus", "addedMass"});
     if (keyword == "density") density_ = arguments.positive("density", 1.0 / WIDEST, WIDEST);
     else if (keyword == "viscosity") viscosity_ = arguments.positive("viscosity", 1.0 / WIDEST, WIDEST);
     else if (keyword == "drag") law = arguments.word("name of a drag law after 'drag'");
-    else if (keyword == "sphericity") sphericity = arguments.positive("sphericity", 0.01, 1.0);
+    else if (keyword == "sphericity") sphericity = arguments.number("sphericity", -HUGE_VAL, HUGE_VAL);
     else if (keyword == "buoyancy") buoyancy_ = arguments.yesNo("buoyancy");
     else if (keyword == "magnus") magnus_ = arguments.yesNo("magnus");
     else if (keyword == "rotation") rotation_ = arguments.yesNo("rotation");
     else addedMass_ = arguments.positive("addedMass", SMALLEST_ADDED, LARGEST_ADDED);
   }
-  if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3)");
-  if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s)");
+  if (density_ == 0.0) arguments.fail("missing keyword density (kg/m3), for instance density 1.2 for air");
+  if (viscosity_ == 0.0) arguments.fail("missing keyword viscosity (kinematic, m2/s), for instance viscosity 1.5e-5 for air");
 
   set_law(arguments, law, sphericity);
 
@@ -80,14 +80,15 @@ void UniformFlow::set_law(FixArguments &arguments, const std::string &name, doub
 
   const ShapedLaw *shaped = findShapedLaw(name);
   if (shaped) {
-    if (sphericity == 0.0)
-      arguments.fail("drag " + name + " needs the keyword sphericity, surface of the sphere of equal volume over that "
-        "of the particle");
-    if (sphericity < shaped->least) {
-      char text[128];
-      snprintf(text, sizeof(text), "sphericity of drag %s must be from %g to 1, not %g", name.c_str(), shaped->least,
-        sphericity);
-      arguments.fail(text);
+    char range[48];
+    snprintf(range, sizeof(range), "from %g to 1", shaped->least);
+    if (std::isnan(sphericity))
+      arguments.fail("drag " + name + " needs the keyword sphericity, " + range + ": surface of the sphere of equal "
+        "volume over that of the particle, for instance sphericity 0.8");
+    if (!(sphericity >= shaped->least && sphericity <= 1.0)) {
+      char value[32];
+      snprintf(value, sizeof(value), "%g", sphericity);
+      arguments.fail("sphericity of drag " + name + " must be " + range + ", not " + value);
     }
     law_ = shaped->make(sphericity);
     return;
@@ -96,7 +97,7 @@ void UniformFlow::set_law(FixArguments &arguments, const std::string &name, doub
   law_ = findLaw(name);
   if (!law_)
     arguments.fail("unknown drag law '" + name + "'; valid laws are " + lawNames() + ", " + shapedLawNames());
-  if (sphericity != 0.0)
+  if (!std::isnan(sphericity))
     arguments.fail("drag " + name + " is a law of spheres; take the keyword sphericity out, or use "
       + shapedLawNames());
 }
@@ -109,7 +110,8 @@ void UniformFlow::init()
   if (!buoyancy_) return;
   for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++)
     gravity_ = dynamic_cast<FixGravity *>(modify->fix[ifix]);
-  if (!gravity_) error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity");
+  if (!gravity_) error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity; add, for instance, "
+    "fix g all gravity 9.81 vector 0 0 -1, or take buoyancy out");
 }
 
 /* ---------------------------------------------------------------------- */

@@ -69,7 +69,9 @@ class FixArguments {
   double positive(const std::string &what, double least = 1.0 / LARGEST, double most = LARGEST)
   {
     const double value = number(what, -HUGE_VAL, HUGE_VAL);
-    if (!(value > 0.0)) fail(what + " must be > 0, not " + arg_[next_ - 1]);
+    if (!(value > 0.0))
+      fail(what + " must be > 0" + (least > 0.0 ? ", from " + print(least) + " to " : " and at most ") + print(most)
+        + ", not " + arg_[next_ - 1]);
     if (!(value >= least && value <= most))
       fail(what + " must be from " + print(least) + " to " + print(most) + ", not " + arg_[next_ - 1]);
     return value;
@@ -78,8 +80,8 @@ class FixArguments {
   double nonNegative(const std::string &what, double most = LARGEST)
   {
     const double value = number(what, -HUGE_VAL, HUGE_VAL);
-    if (!(value >= 0.0)) fail(what + " must be >= 0, not " + arg_[next_ - 1]);
-    if (!(value <= most)) fail(what + " must be at most " + print(most) + ", not " + arg_[next_ - 1]);
+    if (!(value >= 0.0 && value <= most))
+      fail(what + " must be >= 0 and at most " + print(most) + ", not " + arg_[next_ - 1]);
     return value;
   }
 
@@ -87,10 +89,8 @@ class FixArguments {
   int count(const std::string &what, int most = 1000000000)
   {
     const double value = number(what, -HUGE_VAL, HUGE_VAL);
-    if (!(value >= 1.0) || value != std::floor(value))
-      fail(what + " must be a whole number >= 1, not " + arg_[next_ - 1]);
-    if (!(value <= most))
-      fail(what + " must be at most " + std::to_string(most) + ", not " + arg_[next_ - 1]);
+    if (!(value >= 1.0 && value <= most) || value != std::floor(value))
+      fail(what + " must be a whole number >= 1 and at most " + std::to_string(most) + ", not " + arg_[next_ - 1]);
     return static_cast<int>(value);
   }
 

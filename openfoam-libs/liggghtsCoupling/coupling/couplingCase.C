@@ -6,6 +6,7 @@
 
 #include "couplingCase.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -53,7 +54,7 @@ void Foam::couplingCase::checkScript() const
 
     const auto refuse = [&](const char* why)
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInEntry(dict_, "script")
             << "script " << script << ' ' << why << " (" << path << ')'
             << exit(FatalIOError);
     };
@@ -120,7 +121,7 @@ void Foam::couplingCase::checkLog() const
 
     const auto refuse = [&](const char* why)
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInEntry(dict_, "log")
             << "log " << log << ' ' << why << " (" << path << ')' << exit(FatalIOError);
     };
 
@@ -188,7 +189,7 @@ void Foam::couplingCase::checkConstantStep() const
         (
             [&]()
             {
-                FatalIOErrorInFunction(controls)
+                FatalIOErrorInEntry(controls, "adjustTimeStep")
                     << "adjustTimeStep yes cannot be used with liggghtsCoupling"
                     << ": the fluid step is couplingInterval DEM steps. Set it to no"
                     << exit(FatalIOError);

@@ -7,6 +7,7 @@
 #include "couplingChecks.H"
 #include "couplingCase.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -57,7 +58,7 @@ void Foam::couplingChecks::timeStep() const
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, "couplingInterval")
                     << message.str().c_str() << exit(FatalIOError);
             }
         );
@@ -80,7 +81,7 @@ void Foam::couplingChecks::overlap() const
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, "script")
                     << "No grain can ever meet the fluid: the box of " << script_ << ' '
                     << dem << " and the mesh " << mesh_.bounds()
                     << " have no part in common. Both are in metres"
@@ -108,8 +109,8 @@ void Foam::couplingChecks::grains() const
         const scalar speed = mag(v[0]) + mag(v[1]) + mag(v[2]);
         if
         (
-            !(r > smallRadius && r < largeRadius && m > smallMass && m < largeMass)
-         || !(speed < largeSpeed)
+            !(r >= smallRadius && r <= largeRadius && m >= smallMass && m <= largeMass)
+         || !(speed <= largeSpeed)
         )
         {
             odd = min(odd, label(grains.id[i]));
@@ -123,7 +124,7 @@ void Foam::couplingChecks::grains() const
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, "script")
                     << "script " << script_ << ": grain " << odd << " has a radius outside of "
                     << smallRadius << " to " << largeRadius << " m, a mass outside of " << smallMass
                     << " to " << largeMass << " kg, or a speed above " << largeSpeed
@@ -150,9 +151,9 @@ bool Foam::couplingChecks::gravity(vector& g) const
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, "script")
                     << "script " << script_ << ": fix gravity of " << g
-                    << " m/s2 is out of bounds, " << large << exit(FatalIOError);
+                    << " m/s2 must be below " << large << exit(FatalIOError);
             }
         );
     }
@@ -169,7 +170,7 @@ void Foam::couplingChecks::anyInside(const label outside) const
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, "script")
                     << "None of the " << present << " grains of " << script_
                     << " lies in a cell of the mesh, whose bounds are " << mesh_.bounds()
                     << ". Check units (metres) and origin of script and mesh"

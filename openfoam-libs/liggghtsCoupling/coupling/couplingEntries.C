@@ -5,11 +5,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingEntries.H"
+#include "dragLaw.H"
+#include "fluidSampler.H"
+#include "grainForces.H"
+#include "grainMomentum.H"
 #include "grainTurbulence.H"
 #include "knownEntries.H"
 #include "OSspecific.H"
 #include "repeatedEntry.H"
 #include "Time.H"
+#include "voidFractionModel.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,27 +27,79 @@ typedef knownEntries::valueType valueType;
 
 typedef knownEntries::table entryTable;
 
-entryTable ofTheCoupling()
+// Words for the models of a run-time table. A coupling that is switched off needs no library of theirs
+template<class Table>
+wordList models(const Table& table, const bool on, const wordList& others = wordList())
 {
+    wordList words;
+    if (on)
+    {
+        words = others;
+        words.append(table.sortedToc());
+    }
+    return words;
+}
+
+
+entryTable ofTheCoupling(const bool on)
+{
+    typedef knownEntries::rule rule;
+    const wordList none(1, "none");
+    const string ofYourOwn
+    (
+        "A library with models of your own must stand in libs of system/controlDict"
+    );
+
     entryTable table
     ({
-        {"script", {valueType::FILE, knownEntries::REQUIRED}},
-        {"couplingInterval", {valueType::COUNT, knownEntries::REQUIRED}},
-        {"coupling", valueType::WORD},
-        {"voidFraction", valueType::DICTIONARY},
-        {"drag", valueType::WORD},
-        {"forces", valueType::ANY},
-        {"interpolation", valueType::WORD},
+        {
+            "script",
+            rule(valueType::FILE, knownEntries::REQUIRED)
+           .means("the input script of LIGGGHTS, relative to the case")
+           .like("\"constant/in.particles\"")
+        },
+        {
+            "couplingInterval",
+            rule(valueType::COUNT, knownEntries::REQUIRED)
+           .means("DEM steps per fluid step").like("10")
+        },
+        {"coupling", wordList({"twoWay", "oneWay"})},
+        {"voidFraction", rule(valueType::DICTIONARY).like("{ model divided; }")},
+        {
+            "drag",
+            rule(models(*dragLaw::dictionaryConstructorTablePtr_, on)).means(ofYourOwn)
+        },
+        {"forces", rule(valueType::WORDS_OR_DICTIONARY).like("(pressureGradient viscous)")},
+        {"interpolation", on ? fluidSampler::names() : wordList()},
         {"wallLaw", valueType::SWITCH},
-        {"turbulentDispersion", valueType::ANY},
+        {
+            "turbulentDispersion",
+            rule
+            (
+                models(*turbulentDispersion::dictionaryConstructorTablePtr_, on, none),
+                knownEntries::OPTIONAL,
+                valueType::WORD_OR_DICTIONARY
+            ).like("Langevin")
+        },
         {"selfDisturbance", valueType::SWITCH},
-        {"formulation", valueType::WORD},
-        {"momentum", valueType::WORD},
-        {"turbulenceSources", valueType::WORD},
-        {"fluid", valueType::ANY},
-        {"U", valueType::WORD},
-        {"p", valueType::WORD},
-        {"log", valueType::FILE}
+        {"formulation", wordList({"SetI", "SetII"})},
+        {"momentum", models(*grainMomentum::dictionaryConstructorTablePtr_, on)},
+        {
+            "turbulenceSources",
+            models(*grainTurbulence::dictionaryConstructorTablePtr_, on, none)
+        },
+        {
+            "fluid",
+            rule
+            (
+                models(*carrierFluid::dictionaryConstructorTablePtr_, on),
+                knownEntries::OPTIONAL,
+                valueType::WORD_OR_DICTIONARY
+            ).means(ofYourOwn)
+        },
+        {"U", rule(valueType::WORD).means("the name of the velocity").like("U")},
+        {"p", rule(valueType::WORD).means("the name of the pressure").like("p")},
+        {"log", rule(valueType::FILE).means("the log file of LIGGGHTS").like("log.liggghts")}
     });
 
     // Coefficients of models of turbulence sources, also of those of a user's library, and of one that
@@ -139,47 +196,38 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
     const bool apart = dict.isDict(sub);
     const dictionary& coeffs = apart ? dict.subDict(sub) : dict;
 
+    knownEntries::checkValue(dict, "active", valueType::SWITCH);
+    const bool on = dict.lookupOrDefault<Switch>("active", true);
+    const entryTable entries(ofTheCoupling(on));
+
     entryTable known(ofEveryOption());
     if (apart)
     {
         known.insert(sub, valueType::DICTIONARY);
-        knownEntries::check(coeffs, ofTheCoupling());
+        knownEntries::check(coeffs, entries);
     }
     else
     {
-        const entryTable entries(ofTheCoupling());
         forAllConstIters(entries, iter)
         {
             known.insert(iter.key(), *iter);
         }
     }
     knownEntries::check(dict, known);
-    twoWay(coeffs);
-    setI(coeffs);
+    if (on)
+    {
+        carrierFluid::checkEntries(coeffs);
+        if (coeffs.found("voidFraction"))
+        {
+            voidFractionModel::checkEntries(coeffs.subDict("voidFraction"));
+        }
+        grainForces::checkEntries(coeffs);
+        turbulentDispersion::checkEntries(coeffs);
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::couplingEntries::isFirst
-(
-    const dictionary& dict,
-    const word& key,
-    const word& first,
-    const word& second
-)
-{
-    const word value(dict.lookupOrDefault<word>(key, first));
-
-    if (value != first && value != second)
-    {
-        FatalIOErrorInFunction(dict)
-            << key << ' ' << value << " must be " << first << " or " << second
-            << exit(FatalIOError);
-    }
-    return value == first;
-}
-
 
 Foam::fileName Foam::couplingEntries::file(const fvMesh& mesh)
 {

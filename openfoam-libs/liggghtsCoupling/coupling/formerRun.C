@@ -6,6 +6,7 @@
 
 #include "formerRun.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "IFstream.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -262,7 +263,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
     const scalar written = dict.get<scalar>("time");
     if (mag(written - startTime_) > 0.5*mesh_.time().deltaTValue())
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInEntry(dict, "time")
             << "The grains in time " << startName_ << " were written at time "
             << written << ". They belong to the fields of that time: copy them there, or, if"
             << " all of this folder is of that time and the run shall go on from here, set"

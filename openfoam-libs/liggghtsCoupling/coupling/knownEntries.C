@@ -6,7 +6,6 @@
 
 #include "knownEntries.H"
 #include "couplingEntries.H"
-#include "Switch.H"
 
 #include <algorithm>
 
@@ -16,104 +15,6 @@ namespace Foam
 {
 namespace
 {
-
-typedef knownEntries::valueType valueType;
-
-void checkNumber
-(
-    const dictionary& dict,
-    const word& key,
-    const bool good,
-    const char* expected
-)
-{
-    if (!good)
-    {
-        FatalIOErrorInFunction(dict)
-            << key << ' ' << dict.lookup(key).first() << " in " << dict.dictName()
-            << " must be " << expected
-            << exit(FatalIOError);
-    }
-}
-
-
-// Read a value and drop it: OpenFOAM's own functions say what is wrong with it, and where
-void readValue(const dictionary& dict, const word& key, const valueType type)
-{
-    if (dict.isDict(key) != (type == valueType::DICTIONARY) && type != valueType::ANY)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " in " << dict.dictName()
-            << (dict.isDict(key) ? " is" : " is not") << " a dictionary. Write "
-            << key << (dict.isDict(key) ? " value;" : " { ... }")
-            << exit(FatalIOError);
-    }
-    const scalar million = 1e6;
-    switch (type)
-    {
-        case valueType::WORD: dict.get<word>(key); break;
-        case valueType::WORDS: dict.get<wordList>(key); break;
-        case valueType::FILE:
-        {
-            // Read as a file name, OpenFOAM ends the run for a blank without naming the entry
-            const ITstream& is = dict.lookup(key);
-            if (is.size() == 1 && is[0].isString())
-            {
-                const string path(is[0].stringToken());
-                if (!string::valid<fileName>(path))
-                {
-                    FatalIOErrorInFunction(dict)
-                        << key << ' ' << path << " holds a character that OpenFOAM does"
-                        << " not allow in a file name, such as a blank or a quote"
-                        << exit(FatalIOError);
-                }
-            }
-            dict.get<fileName>(key);
-            break;
-        }
-        case valueType::SWITCH: dict.get<Switch>(key); break;
-        case valueType::DICTIONARY: break;
-        case valueType::ANY: break;
-
-        case valueType::COUNT:
-        {
-            checkNumber(dict, key, dict.get<label>(key) > 0, "a whole number from 1 on");
-            break;
-        }
-        case valueType::NUMBER:
-        {
-            checkNumber
-            (
-                dict, key, mag(dict.get<scalar>(key)) < million, "a number below 1e6"
-            );
-            break;
-        }
-        case valueType::POSITIVE:
-        {
-            const scalar x = dict.get<scalar>(key);
-            checkNumber
-            (
-                dict, key, x > 1e-15 && x < million, "positive, from 1e-15 to 1e6"
-            );
-            break;
-        }
-        case valueType::NOT_NEGATIVE:
-        {
-            const scalar x = dict.get<scalar>(key);
-            checkNumber
-            (
-                dict, key, x >= 0 && x < million, "not negative, and below 1e6"
-            );
-            break;
-        }
-        case valueType::FRACTION:
-        {
-            const scalar x = dict.get<scalar>(key);
-            checkNumber(dict, key, x > 0 && x < 1, "above 0 and below 1");
-            break;
-        }
-    }
-}
 
 // How to write a model of the short form so that it has what it needs
 std::string withRoom
@@ -132,7 +33,8 @@ std::string withRoom
     {
         if (known[key].needed == knownEntries::REQUIRED && !dict.found(key))
         {
-            text += " " + key + " ...;";
+            const string& example = known[key].example;
+            text += " " + key + ' ' + (example.empty() ? "..." : example) + ';';
         }
     }
     const auto opened =
@@ -144,11 +46,72 @@ std::string withRoom
     return text;
 }
 
+
+void refuseMissing
+(
+    const dictionary& dict,
+    const word& key,
+    const knownEntries::rule& known,
+    const std::string& room
+)
+{
+    // A dictionary that the short form makes has no lines
+    const label start = dict.startLineNumber();
+    FatalIOError
+    (
+        FUNCTION_NAME,
+        __FILE__,
+        __LINE__,
+        dict.name(),
+        start > 0 ? start : -1,
+        start > 0 ? dict.endLineNumber() : -1
+    )
+        << "Entry " << key << " is missing in " << dict.dictName() << ". It must be "
+        << knownEntries::mustBe(key, known).c_str() << room.c_str() << exit(FatalIOError);
+}
+
+
+// All statements, by base class and model
+HashTable<HashTable<knownEntries::table>>& statements()
+{
+    static HashTable<HashTable<knownEntries::table>> all;
+    return all;
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::knownEntries::ofModel::ofModel
+(
+    const char* base,
+    const char* model,
+    const table& entries
+)
+{
+    statements()(base).set(model, entries);
+}
+
+
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+const Foam::knownEntries::table* Foam::knownEntries::stated
+(
+    const char* base,
+    const word& model
+)
+{
+    const auto ofBase = statements().cfind(base);
+    if (!ofBase.found())
+    {
+        return nullptr;
+    }
+    const auto ofModel = (*ofBase).cfind(model);
+    return ofModel.found() ? &*ofModel : nullptr;
+}
+
 
 void Foam::knownEntries::check
 (
@@ -159,10 +122,10 @@ void Foam::knownEntries::check
 {
     for (const entry& e : dict)
     {
-        const auto type = known.cfind(e.keyword());
-        if (!type.found())
+        const auto rule = known.cfind(e.keyword());
+        if (!rule.found())
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInEntry(dict, e.keyword())
                 << "Unknown entry " << e.keyword() << " in " << dict.dictName() << ". ";
             if (known.empty())
             {
@@ -174,17 +137,27 @@ void Foam::knownEntries::check
             }
             FatalIOError << exit(FatalIOError);
         }
-        readValue(dict, e.keyword(), (*type).type);
+        checkValue(dict, e.keyword(), *rule);
     }
     for (const word& key : known.sortedToc())
     {
         if (known[key].needed == REQUIRED && !dict.found(key))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << key << " is missing in " << dict.dictName() << ". Valid: "
-                << flatOutput(known.sortedToc()) << withRoom(dict, known, longForm).c_str()
-                << exit(FatalIOError);
+            refuseMissing(dict, key, known[key], withRoom(dict, known, longForm));
         }
+    }
+}
+
+
+void Foam::knownEntries::checkModel(const dictionary& dict, const rule& known)
+{
+    if (dict.found("model"))
+    {
+        checkValue(dict, "model", known);
+    }
+    else if (known.needed == REQUIRED)
+    {
+        refuseMissing(dict, "model", known, string());
     }
 }
 

@@ -7,6 +7,7 @@
 #include "liggghtsCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "fvMatrices.H"
 #include "switchedOffCoupling.H"
 #include "turbulenceModel.H"
@@ -70,7 +71,7 @@ void Foam::fv::liggghtsCoupling::checkSources() const
     {
         if (!firstStep && !applied_[i])
         {
-            FatalIOErrorInFunction(coeffs_)
+            FatalIOErrorInEntry(coeffs_, "turbulenceSources")
                 << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
                 << fluid_->model()->type() << " has not asked for the sources of "
                 << fieldNames_[i] << ", so they would have no effect. Set"
@@ -205,7 +206,7 @@ Foam::label Foam::fv::liggghtsCoupling::applyToField(const word& fieldName) cons
         fieldi < 0 && !applied_[0] && field && field->dimensions() == dimVelocity
     )
     {
-        FatalIOErrorInFunction(coeffs_)
+        FatalIOErrorInEntry(coeffs_, "U")
             << "U " << fieldNames_[0] << ": the solver's momentum equation is for "
             << fieldName << ", so the grains would never move. Set U to " << fieldName
             << exit(FatalIOError);

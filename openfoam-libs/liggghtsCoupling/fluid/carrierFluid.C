@@ -35,6 +35,31 @@ Foam::dictionary coefficients(const Foam::dictionary& dict)
     return none;
 }
 
+
+// The kind of fluid
+Foam::word kindOf(const Foam::dictionary& dict)
+{
+    return
+        dict.isDict("fluid")
+      ? dict.subDict("fluid").get<Foam::word>("model")
+      : dict.lookupOrDefault<Foam::word>("fluid", "incompressible");
+}
+
+
+// Check the entries of a kind of fluid
+void checkCoefficients(const Foam::dictionary& dict, const Foam::knownEntries::table& entries)
+{
+    Foam::knownEntries::table known(entries);
+    known.insert("model", Foam::knownEntries::valueType::WORD);
+
+    Foam::string longForm;
+    if (!dict.isDict("fluid"))
+    {
+        longForm = "fluid { model " + kindOf(dict) + ";";
+    }
+    Foam::knownEntries::check(coefficients(dict), known, longForm);
+}
+
 } // End anonymous namespace
 
 
@@ -55,15 +80,10 @@ Foam::carrierFluid::carrierFluid
     UName_(dict.lookupOrDefault<word>("U", "U")),
     pName_(dict.lookupOrDefault<word>("p", "p"))
 {
-    knownEntries::table known(entries);
-    known.insert("model", knownEntries::valueType::WORD);
-
-    string longForm;
-    if (!dict.isDict("fluid"))
+    if (!knownEntries::stated(typeName_(), kindOf(dict)))
     {
-        longForm = "fluid { model " + dict.lookupOrDefault<word>("fluid", "incompressible") + ";";
+        couplingEntries::onMaster([&](){ checkCoefficients(dict, entries); });
     }
-    knownEntries::checkOnMaster(coeffs_, known, longForm);
 }
 
 
@@ -75,26 +95,38 @@ Foam::autoPtr<Foam::carrierFluid> Foam::carrierFluid::New
     const fvMesh& mesh
 )
 {
-    word kind;
-    const auto read = [&]()
+    couplingEntries::onMaster([&](){ checkEntries(dict); });
+
+    return autoPtr<carrierFluid>((*dictionaryConstructorTablePtr_)[kindOf(dict)](dict, mesh));
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::carrierFluid::checkEntries(const dictionary& dict)
+{
+    const knownEntries::rule kinds
+    (
+        knownEntries::rule
+        (
+            dictionaryConstructorTablePtr_->sortedToc(),
+            knownEntries::REQUIRED
+        ).means("A library with models of your own must stand in libs of system/controlDict")
+    );
+    if (dict.isDict("fluid"))
     {
-        kind =
-            dict.isDict("fluid")
-          ? dict.subDict("fluid").get<word>("model")
-          : dict.lookupOrDefault<word>("fluid", "incompressible");
+        knownEntries::checkModel(dict.subDict("fluid"), kinds);
+    }
+    else if (dict.found("fluid"))
+    {
+        knownEntries::checkValue(dict, "fluid", kinds);
+    }
 
-        if (!dictionaryConstructorTablePtr_->found(kind))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown fluid " << kind << "\n\nValid fluids: "
-                << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-                << exit(FatalIOError);
-        }
-    };
-    couplingEntries::onMaster(read);
-    read();
-
-    return autoPtr<carrierFluid>((*dictionaryConstructorTablePtr_)[kind](dict, mesh));
+    const knownEntries::table* entries = knownEntries::stated(typeName_(), kindOf(dict));
+    if (entries)
+    {
+        checkCoefficients(dict, *entries);
+    }
 }
 
 

@@ -119,7 +119,7 @@ Foam::label Foam::fluidQuantities::need
             {
                 FatalIOErrorInFunction(dict)
                     << "The model " << model << " needs " << name << " of the fluid, but "
-                    << missing.c_str() << exit(FatalIOError);
+                    << missing.c_str() << ", or take " << model << " out" << exit(FatalIOError);
             }
         }
     );

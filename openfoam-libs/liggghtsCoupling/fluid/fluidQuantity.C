@@ -6,7 +6,7 @@
 
 #include "fluidQuantity.H"
 #include "couplingEntries.H"
-#include "turbulenceModel.H"
+#include "turbulenceField.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,13 +29,7 @@ Foam::fluidQuantity::fluidQuantity(const carrierFluid& fluid)
 
 Foam::string Foam::fluidQuantity::noTurbulence(const word& name) const
 {
-    return
-        !fluid_.model() ? string("the solver has no turbulence model")
-      : fluid_.mesh().foundObject<volScalarField>(name)
-      ? string()
-      : fluid_.model()->get<word>("simulationType") == "laminar"
-      ? string("the flow is laminar (constant/turbulenceProperties)")
-      : "the turbulence model " + fluid_.model()->type() + " has no field " + name;
+    return turbulenceField::missing(fluid_, name);
 }
 
 

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainMomentum.H"
-#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -34,26 +33,7 @@ Foam::autoPtr<Foam::grainMomentum> Foam::grainMomentum::New
 {
     const word model(dict.lookupOrDefault<word>("momentum", "implicit"));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
-
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (!cstrIter.found())
-            {
-                FatalIOErrorInLookup
-                (
-                    dict,
-                    "momentum",
-                    model,
-                    *dictionaryConstructorTablePtr_
-                ) << exit(FatalIOError);
-            }
-        }
-    );
-
-    return autoPtr<grainMomentum>(cstrIter()(fluid));
+    return autoPtr<grainMomentum>((*dictionaryConstructorTablePtr_)[model](fluid));
 }
 
 

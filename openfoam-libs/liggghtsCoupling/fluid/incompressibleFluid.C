@@ -7,6 +7,7 @@
 #include "incompressibleFluid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "fvcLaplacian.H"
 #include "fvMatrices.H"
 #include "IOdictionary.H"
@@ -20,6 +21,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(incompressibleFluid, 0);
     addToRunTimeSelectionTable(carrierFluid, incompressibleFluid, dictionary);
+    const knownEntries::ofModel incompressibleEntries
+    (
+        carrierFluid::typeName_(), incompressibleFluid::typeName_()
+    );
 }
 
 
@@ -65,7 +70,7 @@ scalar readValue(const dictionary& properties)
 
     if (!wrong.empty())
     {
-        FatalIOErrorInFunction(properties)
+        FatalIOErrorInEntry(properties, "rho")
             << "rho, the density of the fluid, cannot be read: " << wrong.c_str()
             << "    Write, for air, rho [1 -3 0 0 0 0 0] 1.2;" << exit(FatalIOError);
     }
@@ -107,13 +112,13 @@ scalar readDensity(const fvMesh& mesh)
     couplingEntries::onMaster([&](){ readValue(properties); });
 
     const scalar rho = readValue(properties);
-    if (!(rho > smallest && rho < largest))
+    if (!(rho >= smallest && rho <= largest))
     {
         couplingEntries::onMaster
         (
             [&]()
             {
-                FatalIOErrorInFunction(properties)
+                FatalIOErrorInEntry(properties, "rho")
                     << "rho " << rho << " is not positive or out of bounds (" << smallest << " to "
                     << largest << "): it is the density of the fluid in kg/m3"
                     << exit(FatalIOError);
@@ -202,7 +207,7 @@ const Foam::fvMesh& Foam::incompressibleFluid::checkedMesh() const
                    .found(t.wordToken())
                 )
                 {
-                    FatalIOErrorInFunction(schemes)
+                    FatalIOErrorInEntry(schemes, key)
                         << "ddtSchemes: " << key << ' ' << t.wordToken()
                         << " has no time that all cells and the grains share, which"
                         << " liggghtsCoupling does not support. Take, for instance, Euler.\n    "
@@ -235,7 +240,7 @@ void Foam::incompressibleFluid::checkField
             (
                 [&]()
                 {
-                    FatalIOErrorInFunction(dict_)
+                    FatalIOErrorInEntry(dict_, key)
                         << key << ' ' << name << ": there is no " << FieldType::typeName
                         << " of this name. Those that the solver has are "
                         << flatOutput(mesh_.sortedNames<FieldType>())
@@ -251,7 +256,7 @@ void Foam::incompressibleFluid::checkField
         (
             [&]()
             {
-                FatalIOErrorInFunction(dict_)
+                FatalIOErrorInEntry(dict_, key)
                     << key << ' ' << name << ": the field has the dimensions "
                     << field->dimensions() << " instead of " << dimensions
                     << ", those of an incompressible solver. See the entry dimensions of "
@@ -314,7 +319,7 @@ void Foam::incompressibleFluid::checkViscosity() const
     const tmp<volScalarField> tnu(nu());
     const scalar low = gMin(tnu().primitiveField());
     const scalar high = gMax(tnu().primitiveField());
-    if (!(low > smallest && high < largest))
+    if (!(low >= smallest && high <= largest))
     {
         couplingEntries::onMaster
         (

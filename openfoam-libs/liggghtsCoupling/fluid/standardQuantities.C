@@ -237,7 +237,7 @@ struct temperatureQuantity
     {
         return
             fluid_.mesh().foundObject<volScalarField>(type())
-          ? string() : string("the solver has no field T");
+          ? string() : string("the solver has no field T. Take a solver that has one");
     }
 };
 
@@ -253,7 +253,7 @@ struct wallDistanceQuantity
     {
         return
             fluid_.mesh().schemesDict().subOrEmptyDict("wallDist").found("method")
-          ? string() : string("system/fvSchemes has no wallDist { method meshWave; }");
+          ? string() : string("system/fvSchemes has no wallDist. Add wallDist { method meshWave; } there");
     }
     virtual bool hasBoundaryValues() const
     {

@@ -16,6 +16,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(MagnusForce, 0);
     addToRunTimeSelectionTable(grainForce, MagnusForce, dictionary);
+    const knownEntries::ofModel entriesOfMagnusForce
+    (
+        grainForce::typeName_(), MagnusForce::typeName_()
+    );
 }
 
 

@@ -14,6 +14,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(SaffmanMeiForce, 0);
     addToRunTimeSelectionTable(grainForce, SaffmanMeiForce, dictionary);
+    const knownEntries::ofModel entriesOfSaffmanMeiForce
+    (
+        grainForce::typeName_(), SaffmanMeiForce::typeName_()
+    );
 }
 
 

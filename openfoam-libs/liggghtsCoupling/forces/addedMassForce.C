@@ -13,6 +13,18 @@ namespace Foam
 {
     defineTypeNameAndDebug(addedMassForce, 0);
     addToRunTimeSelectionTable(grainForce, addedMassForce, dictionary);
+    const knownEntries::ofModel entriesOfAddedMassForce
+    (
+        grainForce::typeName_(),
+        addedMassForce::typeName_(),
+        {
+            {
+                "C",
+                knownEntries::rule(knownEntries::valueType::POSITIVE)
+               .means("coefficient of added mass, 0.5 for a sphere").like("0.5")
+            }
+        }
+    );
 }
 
 
@@ -20,7 +32,7 @@ namespace Foam
 
 Foam::addedMassForce::addedMassForce(const dictionary& dict, forceNeeds& needs)
 :
-    grainForce(dict, needs, {{"C", knownEntries::valueType::POSITIVE}}),
+    grainForce(dict, needs),
     C_(dict.lookupOrDefault<scalar>("C", 0.5)),
     rho_(needs.quantity("rho")),
     DUDt_(needs.quantity("DUDt"))

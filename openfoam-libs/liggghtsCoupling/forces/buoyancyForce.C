@@ -14,6 +14,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(buoyancyForce, 0);
     addToRunTimeSelectionTable(grainForce, buoyancyForce, dictionary);
+    const knownEntries::ofModel entriesOfBuoyancyForce
+    (
+        grainForce::typeName_(), buoyancyForce::typeName_()
+    );
 }
 
 

@@ -16,20 +16,42 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::word nameOf(const Foam::dictionary& dict)
+{
+    return dict.lookupOrDefault<Foam::word>("model", "Gidaspow");
+}
+
+
+void check(const Foam::dictionary& dict, const Foam::knownEntries::table& entries)
+{
+    Foam::knownEntries::table known(entries);
+    known.insert("model", Foam::knownEntries::valueType::WORD);
+
+    // In the short form the dictionary is not that of the case
+    Foam::string longForm;
+    if (!dict.name().ends_with(".forces.drag"))
+    {
+        longForm = "forces { drag { model " + nameOf(dict) + ";";
+    }
+    Foam::knownEntries::check(dict, known, longForm);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dragLaw::dragLaw(const dictionary& dict, const knownEntries::table& entries)
 {
-    knownEntries::table known(entries);
-    known.insert("model", knownEntries::valueType::WORD);
-
-    // In the short form the dictionary is not that of the case
-    string longForm;
-    if (!dict.name().ends_with(".forces.drag"))
+    if (!knownEntries::stated(typeName_(), nameOf(dict)))
     {
-        longForm = "forces { drag { model " + dict.lookupOrDefault<word>("model", "...") + ";";
+        couplingEntries::onMaster([&](){ check(dict, entries); });
     }
-    knownEntries::checkOnMaster(dict, known, longForm);
 }
 
 
@@ -41,23 +63,25 @@ Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New
     forceNeeds& needs
 )
 {
-    word name;
-    const auto read = [&]()
-    {
-        name = dict.lookupOrDefault<word>("model", "Gidaspow");
-        if (!dictionaryConstructorTablePtr_->found(name))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown drag " << name << "\n\nValid drag laws: "
-                << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-                << "\nA library with laws of your own must stand in libs of"
-                << " system/controlDict" << exit(FatalIOError);
-        }
-    };
-    couplingEntries::onMaster(read);
-    read();
+    return autoPtr<dragLaw>((*dictionaryConstructorTablePtr_)[nameOf(dict)](dict, needs));
+}
 
-    return autoPtr<dragLaw>((*dictionaryConstructorTablePtr_)[name](dict, needs));
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::dragLaw::checkEntries(const dictionary& dict)
+{
+    knownEntries::checkModel
+    (
+        dict,
+        knownEntries::rule(dictionaryConstructorTablePtr_->sortedToc())
+       .means("A library with laws of your own must stand in libs of system/controlDict")
+    );
+    const knownEntries::table* entries = knownEntries::stated(typeName_(), nameOf(dict));
+    if (entries)
+    {
+        check(dict, *entries);
+    }
 }
 
 

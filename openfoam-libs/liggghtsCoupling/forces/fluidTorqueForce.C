@@ -14,6 +14,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(fluidTorqueForce, 0);
     addToRunTimeSelectionTable(grainForce, fluidTorqueForce, dictionary);
+    const knownEntries::ofModel entriesOfFluidTorqueForce
+    (
+        grainForce::typeName_(), fluidTorqueForce::typeName_()
+    );
 }
 
 

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainForce.H"
-#include "couplingEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -14,6 +13,22 @@ namespace Foam
     defineTypeNameAndDebug(grainForce, 0);
     defineRunTimeSelectionTable(grainForce, dictionary);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Empty if the dictionary is that of the case: in the short form it is not
+Foam::string longForm(const Foam::word& name, const Foam::dictionary& dict)
+{
+    return
+        dict.name().ends_with(".forces." + name)
+      ? Foam::string() : "forces { drag { model ...; } " + name + " {";
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -40,13 +55,10 @@ Foam::grainForce::grainForce
     dict_(dict),
     fluid_(needs.fluid())
 {
-    // In the short form the dictionary is not that of the case
-    string longForm;
-    if (!dict.name().ends_with(".forces." + needs.model()))
+    if (!knownEntries::stated(typeName_(), needs.model()))
     {
-        longForm = "forces { drag { model ...; } " + needs.model() + " {";
+        knownEntries::checkOnMaster(dict, entries, longForm(needs.model(), dict));
     }
-    knownEntries::checkOnMaster(dict, entries, longForm);
 }
 
 
@@ -59,25 +71,20 @@ Foam::autoPtr<Foam::grainForce> Foam::grainForce::New
     forceNeeds& needs
 )
 {
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
-
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (!cstrIter.found())
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown force " << name << "\n\nValid forces: "
-                    << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-                    << "\nA library with models of your own must stand in libs of"
-                    << " system/controlDict" << exit(FatalIOError);
-            }
-        }
-    );
-
     needs.begin(name, dict);
-    return autoPtr<grainForce>(cstrIter()(dict, needs));
+    return autoPtr<grainForce>((*dictionaryConstructorTablePtr_)[name](dict, needs));
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::grainForce::checkEntries(const word& name, const dictionary& dict)
+{
+    const knownEntries::table* entries = knownEntries::stated(typeName_(), name);
+    if (entries)
+    {
+        knownEntries::check(dict, *entries, longForm(name, dict));
+    }
 }
 
 

@@ -25,7 +25,7 @@ Foam::grainForces::readModels(const dictionary& dict)
         const dictionary& forces = dict.subDict("forces");
         if (dict.found("drag"))
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInEntry(dict, "drag")
                 << "drag " << dict.get<word>("drag") << " and a dictionary of forces: drag is"
                 << " stated there. Remove the entry drag, and write in forces\n"
                 << "    drag { model " << dict.get<word>("drag") << "; }"
@@ -35,7 +35,7 @@ Foam::grainForces::readModels(const dictionary& dict)
         {
             if (!e.isDict())
             {
-                FatalIOErrorInFunction(forces)
+                FatalIOErrorInEntry(forces, e.keyword())
                     << "forces: " << e.keyword() << " has no dictionary of its entries."
                     << " Write " << e.keyword()
                     << (e.keyword() == "drag" ? " { model Gidaspow; }, or another law" : " { }")
@@ -59,13 +59,13 @@ Foam::grainForces::readModels(const dictionary& dict)
     {
         if (name == "drag")
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInEntry(dict, "forces")
                 << "forces: drag stands in the list, but it acts anyway. Remove it, and set"
                 << " the law by the entry drag" << exit(FatalIOError);
         }
         if (!names.insert(name))
         {
-            FatalIOErrorInFunction(dict)
+            FatalIOErrorInEntry(dict, "forces")
                 << "forces: " << name << " stands in the list twice, and would act twice."
                 << " Remove one of both" << exit(FatalIOError);
         }
@@ -200,7 +200,7 @@ Foam::grainForces::grainForces
     needs_.begin("coupling", dict);
     U_ = needs_.quantity("U");
 
-    couplingEntries::onMaster([&](){ readModels(dict); });
+    couplingEntries::onMaster([&](){ checkEntries(dict); });
     for (const Tuple2<word, dictionary>& model : readModels(dict))
     {
         forces_.append(grainForce::New(model.first(), model.second(), needs_));

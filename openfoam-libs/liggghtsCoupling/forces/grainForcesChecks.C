@@ -4,11 +4,13 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    What models must not add to the sums of a batch, see grainForces.H.
+    Entries of the models, and what they must not add to the sums of a batch, see grainForces.H.
 
 \*---------------------------------------------------------------------------*/
 
 #include "grainForces.H"
+#include "dragForce.H"
+#include "dragLaw.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -88,6 +90,36 @@ void Foam::grainForces::refuse(const char* what) const
     }
     FatalErrorInFunction
         << "One of the models " << flatOutput(names) << " adds " << what << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::grainForces::checkEntries(const dictionary& dict)
+{
+    const auto& models = *grainForce::dictionaryConstructorTablePtr_;
+    for (const Tuple2<word, dictionary>& model : readModels(dict))
+    {
+        const word& name = model.first();
+        if (!models.found(name))
+        {
+            const bool longForm = dict.isDict("forces");
+            FatalIOErrorInEntry
+            (
+                longForm ? dict.subDict("forces") : dict,
+                longForm ? name : word("forces")
+            )
+                << "Unknown force " << name << "\n\nValid forces: "
+                << flatOutput(models.sortedToc())
+                << "\nA library with models of your own must stand in libs of"
+                << " system/controlDict" << exit(FatalIOError);
+        }
+        if (name == dragForce::typeName)
+        {
+            dragLaw::checkEntries(model.second());
+        }
+        grainForce::checkEntries(name, model.second());
+    }
 }
 
 

@@ -6,6 +6,36 @@
 
 #include "liftForce.H"
 #include "couplingEntries.H"
+#include "entryError.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::liftForce::warnOfLimit()
+{
+    warned_ = returnReduce(limited_, orOp<bool>());
+    if (warned_)
+    {
+        IOWarningInFunction(dict_)
+            << "forces: " << type() << " exceeds the drag of some grains, and the fluid step is"
+            << " not short against the time in which drag slows them down. It has been limited to"
+            << " what can be integrated. Shorten the fluid step, with couplingInterval, if these"
+            << " grains matter" << endl;
+    }
+}
+
+
+void Foam::liftForce::warnOfDrag()
+{
+    warnedOfDrag_ = returnReduce(undamped_, orOp<bool>());
+    if (warnedOfDrag_)
+    {
+        IOWarningInFunction(dict_)
+            << "forces: " << type() << " acts on grains without drag, which would slow them down"
+            << " and limit it. Held over a fluid step, such a lift makes the slip grow in each,"
+            << " without bound. Put drag before it" << endl;
+    }
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -13,7 +43,9 @@ Foam::liftForce::liftForce(const dictionary& dict, forceNeeds& needs)
 :
     grainForce(dict, needs),
     limited_(false),
-    warned_(false)
+    warned_(false),
+    undamped_(false),
+    warnedOfDrag_(false)
 {
     // In the short form drag is always the first one
     if (!needs.coupling().isDict("forces"))
@@ -27,7 +59,7 @@ Foam::liftForce::liftForce(const dictionary& dict, forceNeeds& needs)
         {
             if (names.find("drag") > names.find(dict.dictName()))
             {
-                FatalIOErrorInFunction(dict)
+                FatalIOErrorInEntry(needs.coupling().subDict("forces"), "drag")
                     << "forces: drag stands behind " << dict.dictName() << ", which is limited"
                     << " by it. Put drag before it" << exit(FatalIOError);
             }
@@ -43,6 +75,7 @@ void Foam::liftForce::addLift(grainBatch& grains, const lane* L) const
     const scalar interval = fluid_.mesh().time().deltaTValue();
 
     bool any = false;
+    bool undamped = false;
     for (label i = 0; i < grainBatch::size; ++i)
     {
         const scalar b = grains.Sp[i] + grains.nonReactingSp[i];
@@ -60,26 +93,24 @@ void Foam::liftForce::addLift(grainBatch& grains, const lane* L) const
             lift *= sqrt(largest/square);
             any = true;
         }
-        grainBatch::add(grains.Su, i, slip ^ lift);
+        const vector force(slip ^ lift);
+        undamped = undamped || (b <= 0 && magSqr(force) > 0);
+        grainBatch::add(grains.Su, i, force);
     }
+    undamped_ = undamped_ || undamped;
     limited_ = limited_ || any;
 }
 
 
 void Foam::liftForce::prepare()
 {
-    if (warned_)
+    if (!warned_)
     {
-        return;
+        warnOfLimit();
     }
-    warned_ = returnReduce(limited_, orOp<bool>());
-    if (warned_)
+    if (!warnedOfDrag_)
     {
-        IOWarningInFunction(dict_)
-            << "forces: " << type() << " exceeds the drag of some grains, and the fluid step is"
-            << " not short against the time in which drag slows them down. It has been limited to"
-            << " what can be integrated. Shorten the fluid step, with couplingInterval, if these"
-            << " grains matter" << endl;
+        warnOfDrag();
     }
 }
 

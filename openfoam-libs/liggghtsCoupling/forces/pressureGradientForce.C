@@ -6,6 +6,7 @@
 
 #include "pressureGradientForce.H"
 #include "addToRunTimeSelectionTable.H"
+#include "turbulenceField.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -14,6 +15,12 @@ namespace Foam
 {
     defineTypeNameAndDebug(pressureGradientForce, 0);
     addToRunTimeSelectionTable(grainForce, pressureGradientForce, dictionary);
+    const knownEntries::ofModel entriesOfPressureGradientForce
+    (
+        grainForce::typeName_(),
+        pressureGradientForce::typeName_(),
+        {{"turbulentPressure", knownEntries::valueType::SWITCH}}
+    );
 }
 
 
@@ -28,6 +35,30 @@ bool Foam::pressureGradientForce::holdsTurbulence(const fvMesh& mesh)
 }
 
 
+bool Foam::pressureGradientForce::withoutTurbulence
+(
+    const dictionary& dict,
+    const carrierFluid& fluid
+)
+{
+    const word key("turbulentPressure");
+    const bool without = dict.lookupOrDefault<Switch>(key, holdsTurbulence(fluid.mesh()));
+    if (without)
+    {
+        turbulenceField::require
+        (
+            fluid,
+            "k",
+            dict,
+            key,
+            "pressureGradient with turbulentPressure yes",
+            "turbulentPressure no"
+        );
+    }
+    return without;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pressureGradientForce::pressureGradientForce
@@ -36,12 +67,9 @@ Foam::pressureGradientForce::pressureGradientForce
     forceNeeds& needs
 )
 :
-    grainForce(dict, needs, {{"turbulentPressure", knownEntries::valueType::SWITCH}}),
+    grainForce(dict, needs),
     gradP_(needs.quantity("gradP")),
-    turbulent_
-    (
-        dict.lookupOrDefault<Switch>("turbulentPressure", holdsTurbulence(needs.mesh()))
-    ),
+    turbulent_(withoutTurbulence(dict, needs.fluid())),
     rho_(turbulent_ ? needs.quantity("rho") : -1),
     gradK_(turbulent_ ? needs.quantity("gradK") : -1),
     reacts_(needs.stressReacts()),

@@ -8,6 +8,7 @@
 #include "boundBox.H"
 #include "couplingEntries.H"
 #include "dragForce.H"
+#include "entryError.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -62,7 +63,7 @@ bool Foam::selfDisturbance::wanted(const dictionary& coupling)
         {
             if (!couplingEntries::twoWay(coupling))
             {
-                FatalIOErrorInFunction(coupling)
+                FatalIOErrorInEntry(coupling, "selfDisturbance")
                     << "selfDisturbance yes with coupling oneWay: the fluid does not feel the"
                     << " grains, so they see no wake of their own. Remove selfDisturbance, or"
                     << " set coupling twoWay" << exit(FatalIOError);
@@ -70,7 +71,7 @@ bool Foam::selfDisturbance::wanted(const dictionary& coupling)
             const word scheme(interpolationOf(coupling));
             if (scheme != "cell" && scheme != "cellPoint")
             {
-                FatalIOErrorInFunction(coupling)
+                FatalIOErrorInEntry(coupling, "selfDisturbance")
                     << "selfDisturbance yes with interpolation " << scheme
                     << ": what this scheme shows of a grain's own wake is not known. Use"
                     << " interpolation cellPoint or cell, or remove selfDisturbance"
@@ -129,7 +130,7 @@ void Foam::selfDisturbance::check
         {
             if (!drag && coupling.lookupOrDefault<Switch>("selfDisturbance", false))
             {
-                FatalIOErrorInFunction(coupling)
+                FatalIOErrorInEntry(coupling, "selfDisturbance")
                     << "selfDisturbance yes, but forces has no drag that it could correct."
                     << " Add drag to forces, or remove selfDisturbance" << exit(FatalIOError);
             }

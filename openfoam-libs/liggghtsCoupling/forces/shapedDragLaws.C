@@ -10,10 +10,7 @@ Description
 
 #include "dragLaw.H"
 #include "addToRunTimeSelectionTable.H"
-#include "couplingEntries.H"
 #include "physics/drag/shaped_drag.h"
-
-#include <cstdio>
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
@@ -33,41 +30,29 @@ class shapedDragLaw
     const label rho_;
     const label nu_;
 
-    //- The entry, within what the law was fitted to
-    static scalar sphericity(const dictionary& dict)
-    {
-        const scalar value = dict.get<scalar>("sphericity");
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                if (!(value >= Law::LEAST && value <= 1))
-                {
-                    // The precision of the case would print all digits
-                    char limits[80];
-                    snprintf(limits, sizeof(limits), "%g to 1, not %g", Law::LEAST, value);
-                    FatalIOErrorInFunction(dict)
-                        << "sphericity must be from " << limits << ": surface of the sphere of equal volume over that of the particle"
-                        << exit(FatalIOError);
-                }
-            }
-        );
-        return value;
-    }
-
 public:
 
     //- Runtime type information
     TypeName("shapedDragLaw");
 
+    //- Within what the law was fitted to
+    static knownEntries::table entries()
+    {
+        return knownEntries::table
+        ({
+            {
+                "sphericity",
+                knownEntries::rule(Law::LEAST, 1, knownEntries::REQUIRED)
+               .means("surface of the sphere of equal volume over that of the particle")
+               .like("0.8")
+            }
+        });
+    }
+
     shapedDragLaw(const dictionary& dict, forceNeeds& needs)
     :
-        dragLaw
-        (
-            dict,
-            {{"sphericity", {knownEntries::valueType::NUMBER, knownEntries::REQUIRED}}}
-        ),
-        law_(sphericity(dict)),
+        dragLaw(dict),
+        law_(dict.get<scalar>("sphericity")),
         voidFraction_(needs.quantity("voidFraction")),
         rho_(needs.quantity("rho")),
         nu_(needs.quantity("nu"))
@@ -102,7 +87,11 @@ public:
 #define makeShapedDragLaw(Name)                                               \
     typedef shapedDragLaw<grainjet::drag::Name> Name##DragLaw;                \
     defineTemplateTypeNameAndDebugWithName(Name##DragLaw, #Name, 0);          \
-    addToRunTimeSelectionTable(dragLaw, Name##DragLaw, dictionary);
+    addToRunTimeSelectionTable(dragLaw, Name##DragLaw, dictionary);           \
+    const knownEntries::ofModel Name##Entries                                 \
+    (                                                                         \
+        dragLaw::typeName_(), #Name, Name##DragLaw::entries()                 \
+    );
 
 makeShapedDragLaw(HaiderLevenspiel)
 makeShapedDragLaw(Ganser)

@@ -71,7 +71,8 @@ public:
 #define makeDragLaw(function, Name)                                           \
     typedef standardDragLaw<grainjet::drag::function> Name##DragLaw;          \
     defineTemplateTypeNameAndDebugWithName(Name##DragLaw, #Name, 0);          \
-    addToRunTimeSelectionTable(dragLaw, Name##DragLaw, dictionary);
+    addToRunTimeSelectionTable(dragLaw, Name##DragLaw, dictionary);           \
+    const knownEntries::ofModel Name##Entries(dragLaw::typeName_(), #Name);
 
 makeDragLaw(gidaspow, Gidaspow)
 makeDragLaw(wenYu, WenYu)

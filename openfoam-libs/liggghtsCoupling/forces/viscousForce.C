@@ -13,6 +13,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(viscousForce, 0);
     addToRunTimeSelectionTable(grainForce, viscousForce, dictionary);
+    const knownEntries::ofModel entriesOfViscousForce
+    (
+        grainForce::typeName_(), viscousForce::typeName_()
+    );
 }
 
 

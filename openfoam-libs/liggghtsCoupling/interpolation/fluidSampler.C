@@ -7,6 +7,7 @@
 #include "fluidSampler.H"
 #include "couplingEntries.H"
 #include "interpolation.H"
+#include "knownEntries.H"
 #include "schemeSampler.H"
 #include "wallLawSampler.H"
 
@@ -40,7 +41,7 @@ Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
         {
             if (scheme != cellPointSampler::typeName)
             {
-                FatalIOErrorInFunction(dict)
+                FatalIOErrorInEntry(dict, "wallLaw")
                     << "wallLaw yes with interpolation " << scheme << ": the law of the wall goes"
                     << " together with cellPoint only. Write interpolation cellPoint, or remove"
                     << " wallLaw" << exit(FatalIOError);
@@ -64,27 +65,32 @@ Foam::autoPtr<Foam::fluidSampler> Foam::fluidSampler::New
 {
     const word scheme(dict.lookupOrDefault<word>("interpolation", "cellPoint"));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(scheme);
-
-    if (cstrIter.found())
-    {
-        return autoPtr<fluidSampler>(cstrIter()(locator));
-    }
-
-    auto* schemes = interpolation<vector>::dictionaryConstructorTablePtr_;
     couplingEntries::onMaster
     (
         [&]()
         {
-            if (!schemes->found(scheme))
+            if (dict.found("interpolation"))
             {
-                FatalIOErrorInLookup(dict, "interpolation", scheme, *schemes)
-                    << exit(FatalIOError);
+                knownEntries::checkValue(dict, "interpolation", names());
             }
         }
     );
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(scheme);
 
-    return autoPtr<fluidSampler>(new schemeSampler(scheme));
+    return autoPtr<fluidSampler>
+    (
+        cstrIter.found() ? cstrIter()(locator).ptr() : new schemeSampler(scheme)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::fluidSampler::names()
+{
+    wordHashSet all(dictionaryConstructorTablePtr_->toc());
+    all.insert(interpolation<vector>::dictionaryConstructorTablePtr_->toc());
+    return all.sortedToc();
 }
 
 

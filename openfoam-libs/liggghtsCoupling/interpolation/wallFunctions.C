@@ -6,6 +6,7 @@
 
 #include "wallFunctions.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "nutLowReWallFunctionFvPatchScalarField.H"
 #include "turbulenceModel.H"
 #include "wallFvPatch.H"
@@ -68,7 +69,7 @@ void Foam::wallFunctions::find()
 
         if (isRough(patchNut.type()))
         {
-            FatalIOErrorInFunction(dict_)
+            FatalIOErrorInEntry(dict_, "wallLaw")
                 << "wallLaw knows the profile at smooth walls only, but " << nut.name()
                 << " on patch " << patch.name() << " is " << patchNut.type()
                 << ". Take a wall function for smooth walls there, such as nutkWallFunction,"
@@ -76,7 +77,7 @@ void Foam::wallFunctions::find()
         }
         if (patches_.size() && (function->kappa() != kappa_ || function->E() != E_))
         {
-            FatalIOErrorInFunction(dict_)
+            FatalIOErrorInEntry(dict_, "wallLaw")
                 << "wallLaw needs the same constants on all walls, but " << nut.name()
                 << " has kappa " << function->kappa() << ", E " << function->E()
                 << " on patch " << patch.name() << " and kappa " << kappa_ << ", E " << E_
@@ -92,7 +93,7 @@ void Foam::wallFunctions::find()
 
     if (patches_.empty())
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInEntry(dict_, "wallLaw")
             << "wallLaw yes, but no wall has a wall function for nut, so that there is no"
             << " profile to rebuild. Walls, with their nut: " << flatOutput(walls)
             << ".\n    If walls are resolved, remove wallLaw: interpolation cellPoint is right"

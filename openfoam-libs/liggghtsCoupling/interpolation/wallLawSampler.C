@@ -6,6 +6,7 @@
 
 #include "wallLawSampler.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -47,7 +48,7 @@ const Foam::dictionary& checkedSides(const Foam::dictionary& dict, const Foam::p
         {
             if (rotated >= 0)
             {
-                FatalIOErrorInFunction(dict)
+                FatalIOErrorInEntry(dict, "wallLaw")
                     << "wallLaw cannot be used with periodic sides that are rotated, such as patch "
                     << patches[rotated].name()
                     << ". Take cyclicAMI or symmetry planes there, or remove wallLaw"

@@ -62,9 +62,9 @@ class BadCase(grainjet.Case):
         self.change(folder, "system/fvSchemes", ("divSchemes {", "wallDist { method meshWave; } divSchemes {"))
         self.change(folder, "system/fvSolution", ('"U.*"', '"(U|k|epsilon|omega).*"'))
 
-    def assertRefused(self, folder, *words, solver="pimpleFoam", ranks=0, steps=False):
+    def assertRefused(self, folder, *words, solver="pimpleFoam", ranks=0, steps=False, at_reading=False):
         """The run ends with exit code 1 and an error that holds all words; before the solver has
-        solved for velocity or pressure, unless steps are allowed."""
+        solved for velocity or pressure, unless steps are allowed; at_reading: before the first time step."""
         result = self.foam(solver, folder, ranks, check=False, timeout=60)
         if result.code != 1 or "FOAM FATAL" not in result.output:
             self.fail(f"not refused: exit code {result.code}\n{result.output[-1500:]}")
@@ -73,6 +73,8 @@ class BadCase(grainjet.Case):
             self.assertIn(word, message)
         if not steps:
             self.assertNotRegex(result.output, box.SOLVED)
+        if at_reading:
+            self.assertNotIn("\nTime = ", result.output)
         return result
 
     def assertRuns(self, folder, solver="pimpleFoam", ranks=0):

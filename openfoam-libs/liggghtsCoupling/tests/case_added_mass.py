@@ -147,17 +147,25 @@ class BadAddedMass(bad_case.BadCase):
 
     def test_bad_entries(self):
         for forces, words in (
-                ("{ addedMass { C -0.5; } }", ("C -0.5", "positive")),
-                ("{ addedMass { C 0; } }", ("C 0", "positive")),
+                ("{ addedMass { C -0.5; } }", ("C -0.5 ", "a positive number, from 1e-15 to 1e+06: coefficient of", "C 0.5;")),
+                ("{ addedMass { C 0; } }", ("C 0 ", "positive", "from 1e-15 to 1e+06")),
+                ("{ addedMass { C 1.01e6; } }", ("C 1.01e+06 ", "from 1e-15 to 1e+06")),
                 ("{ addedMass { c 0.5; } }", ("Unknown entry c", "(C)")),
-                ("{ addedMass { C half; } }", ("half",)),
+                ("{ addedMass { C half; } }", ("C half ", "from 1e-15 to 1e+06")),
         ):
             for ranks in (0, 2):
                 with self.subTest(forces=forces, ranks=ranks):
                     folder = self.fresh()
                     box.fv_options(folder, drag=None, forces=forces)
-                    result = self.assertRefused(folder, *words, "constant/fvOptions", ranks=ranks, steps=True)
+                    result = self.assertRefused(folder, *words, "constant/fvOptions", ranks=ranks, at_reading=True)
                     self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
+
+    def test_bounds_themselves(self):
+        """Those that the message prints are good."""
+        for value in ("1e-15", "1e6"):
+            folder = self.fresh()
+            box.fv_options(folder, drag=None, forces=f"{{ addedMass {{ C {value}; }} }}")
+            self.assertRuns(folder)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,15 @@ ENTRIES = {
     "active": Entry("switch", "yes"),
 }
 
+LANGEVIN = {
+    "model": Entry("choice", "Langevin", required=True),
+    "Sct": Entry("positive", "0.7"),
+    "seed": Entry("count", "1"),
+}
+
+# what one entry alone does not tell
+LATE = ("file", "output", "name")
+
 VOID_FRACTION = {
     "model": Entry("choice", "divided", required=True),
     "minimum": Entry("fraction", "0.3"),
@@ -81,7 +90,8 @@ class Entries(bad_case.BadCase):
                 # the entry as it is misspelt; but a model misses one that it requires first
                 key = bad.entry if within and entries[bad.entry].required or not bad.lines else bad.lines[0][0]
                 if bad.must_fail:
-                    self.assertRefused(folder, "constant/fvOptions", key, ranks=ranks)
+                    self.assertRefused(folder, "constant/fvOptions", key, ranks=ranks,
+                                       at_reading=bool(within) or entries[bad.entry].kind not in LATE)
                 else:
                     self.assertRuns(folder, ranks=ranks)
 
@@ -126,6 +136,71 @@ class Entries(bad_case.BadCase):
 
     def test_entries_of_the_void_fraction(self):
         self.spoilt(VOID_FRACTION, "voidFraction")
+
+    def test_entries_of_a_dispersion(self):
+        folder = self.fresh()
+        self.turbulent(folder, "kEpsilon", "k", "epsilon")
+        self.spoilt(LANGEVIN, "turbulentDispersion", folder=folder)
+
+    # what messages say
+
+    def test_line(self):
+        """A wrong value: the line of its entry; none if it stands in an included file."""
+        good = [(k, e.good) for k, e in ENTRIES.items() if k not in ("drag", "forces")]
+        file = r"file: \S*constant/fvOptions\.particles"
+        for key, bad, within in (("wallLaw", "maybe", ""), ("coupling", "threeWay", ""), ("couplingInterval", "2.5", ""),
+                                 ("interpoltion", "cell", ""), ("Sct", "20", "turbulentDispersion"),
+                                 ("sphericity", "2", "forces.drag"), ("C", "-1", "forces.addedMass")):
+            folder = self.fresh()
+            entries = [pair for pair in good if pair[0] not in (key, within)]
+            body = [("forces", "{\n drag\n {\n model Ganser;\n sphericity 0.8;\n }\n addedMass { C 0.5; }\n}"), *entries]
+            if within.startswith("forces"):
+                body[0] = ("forces", body[0][1].replace("sphericity 0.8" if key == "sphericity" else "C 0.5", f"{key} {bad}"))
+            elif within:
+                body.append((within, f"{{ model Langevin;\n{key} {bad}; }}"))
+            else:
+                body.append((key, bad))
+            self.options(folder, text(body))
+            lines = (folder / "constant/fvOptions").read_text().split("\n")
+            number = next(i for i, line in enumerate(lines, 1) if f"{key} {bad};" in line)
+            result = self.assertRefused(folder, key, bad, at_reading=True)
+            self.assertRegex(result.output, file + (f"\\.{within}" if within else "") + f" at line {number}\\.")
+
+        (folder / "constant/defaults").write_text("\n" * 12 + "wallLaw maybe;\n")
+        self.options(folder, '    #include "defaults"\n' + text([pair for pair in good if pair[0] != "wallLaw"]))
+        self.assertRegex(self.assertRefused(folder, "wallLaw maybe").output, file + r"\n")
+
+    def test_words_of_their_own(self):
+        """Allowed values and how to write it, in no words of OpenFOAM's parser."""
+        folder = self.fresh()
+        for key, bad, words in (
+                ("wallLaw", "", ("wallLaw has no value in particles. It must be yes or no", "Write, for instance, wallLaw yes;")),
+                ("wallLaw", "maybe", ("wallLaw maybe in particles must be yes or no",)),
+                ("couplingInterval", "2.5", ("couplingInterval 2.5 ", "whole number from 1 to 2147483647", "DEM steps per fluid step")),
+                ("drag", "1", ("drag 1 ", "must be one word. Valid: (", "Gidaspow")),
+                ("forces", "viscous", ("forces viscous ", "must be a list of words in parentheses, or a dictionary",
+                                       "forces (pressureGradient viscous);")),
+                ("voidFraction", "divided", ("voidFraction divided ", "must be a dictionary", "voidFraction { model divided; }\n")),
+                ("voidFraction", "{ minimum 0.3; }", ("Entry model is missing in voidFraction", "Valid: (centre divided)")),
+                ("voidFraction", "{ model divided; minimum 1; }", ("minimum 1 ", "above 0 and below 1", "minimum 0.3;")),
+                ("fluid", "{}", ("Entry model is missing in fluid", "Valid: (incompressible)")),
+                ("script", "{ a 1; }", ("script { ... } ", "must be a file name", 'script "constant/in.particles";')),
+                ("U", "1", ("U 1 ", "must be one word: the name of the velocity"))):
+            with self.subTest(key=key, bad=bad):
+                self.options(folder, text((k, bad if k == key else e.good) for k, e in ENTRIES.items()))
+                result = self.assertRefused(folder, *words, at_reading=True)
+                for word in ("token", "Bad", "Expected"):
+                    self.assertNotIn(word, result.output)
+
+    def test_unknown_word_comes_first(self):
+        """A misspelt interpolation is that, not a clash with wallLaw; a known one clashes."""
+        folder = self.fresh()
+        good = dict((k, e.good) for k, e in ENTRIES.items())
+        self.options(folder, text({**good, "interpolation": "cellPont", "wallLaw": "yes"}.items()))
+        result = self.assertRefused(folder, "Unknown interpolation cellPont", "Valid: (", "cellPointWallModified", at_reading=True)
+        self.assertNotIn("law of the wall", result.output)
+        self.options(folder, text({**good, "interpolation": "cell", "wallLaw": "yes"}.items()))
+        self.assertRefused(folder, "wallLaw yes with interpolation cell")
 
     def test_coefficients_of_chen_and_wood(self):
         folder = self.fresh()
@@ -186,7 +261,7 @@ class Entries(bad_case.BadCase):
         """Without script or log, and in a case that could not be coupled."""
         folder = self.fresh()
         good = dict((k, e.good) for k, e in ENTRIES.items())
-        self.options(folder, text({**good, "active": "no"}.items()))
+        self.options(folder, text({**good, "active": "no", "drag": "ofALibraryThatIsNotThere", "forces": "(likewise)"}.items()))
         (folder / "constant/in.particles").unlink()
         self.change(folder, "constant/transportProperties", ("rho [1 -3 0 0 0 0 0] 1.2;", ""))
         result = self.assertRuns(folder)

@@ -52,9 +52,19 @@ class UserModelsErrors(bad_case.BadCase):
 
     def test_bad_value(self):
         self.assertOneError("{ shearLift { C -1; } }", "C -1", "positive", FILE)
-        self.assertOneError("{ memoryForce { time nan; } }", "nan", FILE + ".particles.forces.memoryForce.time")
+        self.assertOneError("{ memoryForce { time nan; } }", "nan", FILE + ".particles.forces.memoryForce at line")
         self.assertOneError("{ relaxation { time 1; reaction perhaps; } }", "perhaps", FILE)
-        self.assertOneError("{ shearLift { C word; } }", "word", FILE + ".particles.forces.shearLift.C")
+        self.assertOneError("{ shearLift { C word; } }", "C word ", FILE + ".particles.forces.shearLift at line")
+
+    def test_stated_entries(self):
+        """Those that a model states at file scope are refused when the option is read, others when the model is made."""
+        for forces, word, early in (("{ thermophoresis { K 11; } }", "K 11 in thermophoresis must be a number from 0 to 10: the", True),
+                                    ("{ thermophoresis {} }", "Entry K is missing", True),
+                                    ("(thermophoresis)", "thermophoresis { K 0.5; } }", True),
+                                    ("{ thermophoresis { k 1; } }", "Unknown entry k", True),
+                                    ("{ shearLift { C -1; } }", "C -1", False)):
+            result = self.assertRefused(self.case(forces), word, FILE)
+            self.assertEqual("\nTime = " in result.output, not early, result)
 
     def test_missing_entry(self):
         self.assertOneError("{ shearLift {} }", "Entry C is missing", FILE + ".particles.forces.shearLift",
@@ -154,7 +164,7 @@ class UserModelsErrors(bad_case.BadCase):
                 ("{ model givenViscosity; nuu 1; }", ("Unknown entry nuu", "model nu")),
                 ("{ model givenViscosity; nu -1; }", ("nu", "positive")),
                 ("{ model incompressible; nu 1; }", ("Unknown entry nu",)),
-                ("{ nu 1; }", ("'model' not found",)),
+                ("{ nu 1; }", ("Entry model is missing", "Valid: (givenViscosity incompressible)")),
                 ("water", ("water", "givenViscosity", "incompressible")),
                 ("3", ("fluid",)),
                 ("(a b)", ("fluid",))):

@@ -148,5 +148,18 @@ class Utilities(grainjet.Case):
         self.assertFails(result, "FOAM FATAL", "in.particles", "not found")
 
 
+    def test_bad_entry(self):
+        """A utility that makes options refuses one, as the solver does; others never see it."""
+        options = self.folder / "constant/fvOptions"
+        options.write_text(options.read_text().replace("minimum 0.3", "minimum 3"))
+        for command in (["decomposePar"], ["checkMesh"], ["postProcess"]):
+            self.utility(command, 0)
+        for command in (["pimpleFoam", "-postProcess"], ["pimpleFoam"]):
+            result = grainjet.run(command, self.folder)
+            self.assertFails(result, "FOAM FATAL", "minimum 3 ", "above 0 and below 1")
+            self.assertNotIn("\nTime = ", result.output)
+        self.assertNoRun(content(self.folder))
+
+
 if __name__ == "__main__":
     unittest.main()

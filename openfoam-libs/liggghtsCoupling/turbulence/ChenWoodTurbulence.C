@@ -31,13 +31,14 @@ Foam::ChenWoodTurbulence::ChenWoodTurbulence
 {
     const dictionary& coeffs = dict.subOrEmptyDict("ChenWoodCoeffs");
     typedef knownEntries::valueType valueType;
+    typedef knownEntries::rule rule;
     knownEntries::checkOnMaster
     (
         coeffs,
         {
-            {"B", valueType::NOT_NEGATIVE},
-            {"Ce", valueType::POSITIVE},
-            {"C3", valueType::NOT_NEGATIVE}
+            {"B", rule(valueType::NOT_NEGATIVE).like("0.0825")},
+            {"Ce", rule(valueType::POSITIVE).like("0.165")},
+            {"C3", rule(valueType::NOT_NEGATIVE).like("1.2")}
         }
     );
     B_ = coeffs.lookupOrDefault<scalar>("B", 0.0825);
@@ -81,7 +82,7 @@ void Foam::ChenWoodTurbulence::check
 
     if (frozen || !without.empty() || deaf.found(model.type()))
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInEntry(dict, "turbulenceSources")
             << "turbulenceSources ChenWood needs a turbulence model with equations for k and"
             << " epsilon, such as kEpsilon or jetKEpsilon, but this case has " << model.type()
             << " (simulationType " << model.lookupOrDefault<word>("simulationType", "unknown")

@@ -6,7 +6,6 @@
 
 #include "LangevinDispersion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "couplingEntries.H"
 
 #include "physics/turbulence/langevin_step.h"
 
@@ -16,6 +15,19 @@ namespace Foam
 {
     defineTypeNameAndDebug(LangevinDispersion, 0);
     addToRunTimeSelectionTable(turbulentDispersion, LangevinDispersion, dictionary);
+    const knownEntries::ofModel entriesOfLangevinDispersion
+    (
+        turbulentDispersion::typeName_(),
+        LangevinDispersion::typeName_(),
+        {
+            {
+                "Sct",
+                knownEntries::rule(0.1, 10)
+               .means("the turbulent Schmidt number of fluid particles, 0.7 to 1 in jets and pipes")
+               .like("0.7")
+            }
+        }
+    );
 }
 
 
@@ -27,23 +39,9 @@ Foam::LangevinDispersion::LangevinDispersion
     const carrierFluid& fluid
 )
 :
-    turbulentDispersion(dict, fluid, {{"Sct", knownEntries::valueType::POSITIVE}}),
+    turbulentDispersion(dict, fluid),
     Sct_(dict.lookupOrDefault<scalar>("Sct", 0.7))
-{
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (Sct_ < 0.1 || Sct_ > 10)
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Sct " << Sct_ << ", the turbulent Schmidt number of fluid particles, is not"
-                    << " within 0.1 to 10. Measured in jets and pipes: 0.7 to 1"
-                    << exit(FatalIOError);
-            }
-        }
-    );
-}
+{}
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //

@@ -6,6 +6,7 @@
 
 #include "grainTurbulence.H"
 #include "couplingEntries.H"
+#include "entryError.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -31,36 +32,20 @@ Foam::autoPtr<Foam::grainTurbulence> Foam::grainTurbulence::New
         return autoPtr<grainTurbulence>();
     }
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
-
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (!cstrIter.found())
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown turbulenceSources " << model << "\n\nValid: none "
-                    << dictionaryConstructorTablePtr_->sortedToc()
-                    << exit(FatalIOError);
-            }
-        }
-    );
-
     couplingEntries::onMaster
     (
         [&]()
         {
             if (!couplingEntries::twoWay(dict))
             {
-                FatalIOErrorInFunction(dict)
+                FatalIOErrorInEntry(dict, "turbulenceSources")
                     << "turbulenceSources " << model << " needs coupling twoWay: with oneWay the fluid"
                     << " feels nothing of the grains" << exit(FatalIOError);
             }
         }
     );
 
-    return autoPtr<grainTurbulence>(cstrIter()(dict, mesh));
+    return autoPtr<grainTurbulence>((*dictionaryConstructorTablePtr_)[model](dict, mesh));
 }
 
 

@@ -6,7 +6,6 @@
 
 #include "randomWalkDispersion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "couplingEntries.H"
 
 #include "physics/turbulence/eddy_walk.h"
 
@@ -16,6 +15,19 @@ namespace Foam
 {
     defineTypeNameAndDebug(randomWalkDispersion, 0);
     addToRunTimeSelectionTable(turbulentDispersion, randomWalkDispersion, dictionary);
+    const knownEntries::ofModel entriesOfrandomWalkDispersion
+    (
+        turbulentDispersion::typeName_(),
+        randomWalkDispersion::typeName_(),
+        {
+            {
+                "CL",
+                knownEntries::rule(0.01, 1)
+               .means("the Lagrangian time scale over k/epsilon, usually 0.15 to 0.3")
+               .like("0.15")
+            }
+        }
+    );
 }
 
 
@@ -27,22 +39,9 @@ Foam::randomWalkDispersion::randomWalkDispersion
     const carrierFluid& fluid
 )
 :
-    turbulentDispersion(dict, fluid, {{"CL", knownEntries::valueType::POSITIVE}}),
+    turbulentDispersion(dict, fluid),
     CL_(dict.lookupOrDefault<scalar>("CL", 0.15))
-{
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (CL_ < 0.01 || CL_ > 1)
-            {
-                FatalIOErrorInFunction(dict)
-                    << "CL " << CL_ << ", the Lagrangian time scale over k/epsilon, is not within"
-                    << " 0.01 to 1. Usual are 0.15 to 0.3" << exit(FatalIOError);
-            }
-        }
-    );
-}
+{}
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //

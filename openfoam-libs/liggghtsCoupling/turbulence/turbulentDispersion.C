@@ -6,6 +6,7 @@
 
 #include "turbulentDispersion.H"
 #include "couplingEntries.H"
+#include "turbulenceField.H"
 #include "turbulenceModel.H"
 
 #include "physics/turbulence/wall_reflection.h"
@@ -37,7 +38,6 @@ dictionary entriesOfModel(const dictionary& dict)
     if (dict.isDict(entryName))
     {
         entries = dict.subDict(entryName);
-        entries.get<word>("model");
     }
     else if (dict.found(entryName))
     {
@@ -51,8 +51,23 @@ knownEntries::table withCommon(const knownEntries::table& entries)
 {
     knownEntries::table all(entries);
     all.insert("model", knownEntries::valueType::WORD);
-    all.insert("seed", knownEntries::valueType::COUNT);
+    all.insert
+    (
+        "seed",
+        knownEntries::rule(knownEntries::valueType::COUNT)
+       .means("another one gives another sample of the same turbulence").like("1")
+    );
     return all;
+}
+
+
+// The entries of a model that does not state them by knownEntries::ofModel
+void checkUnstated(const dictionary& dict, const knownEntries::table& entries)
+{
+    if (!knownEntries::stated(turbulentDispersion::typeName_(), dict.get<word>("model")))
+    {
+        knownEntries::checkOnMaster(dict, withCommon(entries));
+    }
 }
 
 } // End anonymous namespace
@@ -76,7 +91,7 @@ bool Foam::turbulentDispersion::isTurbulent
         {
             if (type != "laminar" && type != "RAS")
             {
-                FatalIOErrorInFunction(dict)
+                FatalIOErrorInEntry(dict, entryName)
                     << entryName << ' ' << name << " needs the k of a RAS model, but this case has "
                     << model.type() << " (simulationType " << type << ", "
                     << fluid.mesh().time().constant() << '/' << turbulenceModel::propertiesName
@@ -85,6 +100,14 @@ bool Foam::turbulentDispersion::isTurbulent
             }
         }
     );
+    if (type == "RAS")
+    {
+        const string entry(entryName);
+        turbulenceField::require
+        (
+            fluid, "k", dict, entryName, entry + ' ' + name, entry + " none"
+        );
+    }
     return type == "RAS";
 }
 
@@ -138,7 +161,7 @@ Foam::turbulentDispersion::turbulentDispersion
     seed_
     (
         (
-            knownEntries::checkOnMaster(dict, withCommon(entries)),
+            checkUnstated(dict, entries),
             dict.lookupOrDefault<label>("seed", 1)
         )
     )
@@ -153,34 +176,19 @@ Foam::autoPtr<Foam::turbulentDispersion> Foam::turbulentDispersion::New
     forceNeeds& needs
 )
 {
-    couplingEntries::onMaster([&](){ entriesOfModel(dict); });
+    couplingEntries::onMaster([&](){ checkEntries(dict); });
     const dictionary entries(entriesOfModel(dict));
     const word name(entries.lookupOrDefault<word>("model", "none"));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(name);
-    couplingEntries::onMaster
-    (
-        [&]()
-        {
-            if (name != "none" && !cstrIter.found())
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown " << entryName << ' ' << name << "\n\nValid: none "
-                    << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-                    << exit(FatalIOError);
-            }
-            if (name == "none")
-            {
-                knownEntries::check(entries, withCommon(knownEntries::table()));
-            }
-        }
-    );
     if (name == "none")
     {
         return nullptr;
     }
 
-    autoPtr<turbulentDispersion> model(cstrIter()(entries, needs.fluid()));
+    autoPtr<turbulentDispersion> model
+    (
+        (*dictionaryConstructorTablePtr_)[name](entries, needs.fluid())
+    );
     if (!isTurbulent(dict, needs.fluid(), name))
     {
         Info<< "    " << entryName << ' ' << name
@@ -193,6 +201,35 @@ Foam::autoPtr<Foam::turbulentDispersion> Foam::turbulentDispersion::New
     model->rate_ = needs.state("rate", scalarList(1, -1.0));
     model->walls_.reset(new nearWalls(needs.mesh()));
     return model;
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::turbulentDispersion::checkEntries(const dictionary& dict)
+{
+    wordList names(1, "none");
+    names.append(dictionaryConstructorTablePtr_->sortedToc());
+    const knownEntries::rule models
+    (
+        knownEntries::rule(names, knownEntries::REQUIRED).like("Langevin")
+    );
+    if (dict.isDict(entryName))
+    {
+        knownEntries::checkModel(dict.subDict(entryName), models);
+    }
+    else if (dict.found(entryName))
+    {
+        knownEntries::checkValue(dict, entryName, models);
+    }
+
+    const dictionary model(entriesOfModel(dict));
+    const word name(model.lookupOrDefault<word>("model", "none"));
+    const knownEntries::table* entries = knownEntries::stated(typeName_(), name);
+    if (entries || name == "none")
+    {
+        knownEntries::check(model, withCommon(entries ? *entries : knownEntries::table()));
+    }
 }
 
 

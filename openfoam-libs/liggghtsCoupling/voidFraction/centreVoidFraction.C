@@ -13,6 +13,10 @@ namespace Foam
 {
     defineTypeNameAndDebug(centreVoidFraction, 0);
     addToRunTimeSelectionTable(voidFractionModel, centreVoidFraction, dictionary);
+    const knownEntries::ofModel centreEntries
+    (
+        voidFractionModel::typeName_(), centreVoidFraction::typeName_()
+    );
 }
 
 

@@ -20,6 +20,10 @@ namespace Foam
         dividedVoidFraction,
         dictionary
     );
+    const knownEntries::ofModel dividedEntries
+    (
+        voidFractionModel::typeName_(), dividedVoidFraction::typeName_()
+    );
 }
 
 

@@ -16,6 +16,29 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// With the entries of all models
+Foam::knownEntries::table withCommon(const Foam::knownEntries::table& entries)
+{
+    typedef Foam::knownEntries knownEntries;
+    knownEntries::table known(entries);
+    known.insert("model", knownEntries::valueType::WORD);
+    known.insert
+    (
+        "minimum",
+        knownEntries::rule(knownEntries::valueType::FRACTION)
+       .means("lower limit of the void fraction").like("0.3")
+    );
+    return known;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::voidFractionModel::voidFractionModel
@@ -28,11 +51,10 @@ Foam::voidFractionModel::voidFractionModel
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
     locator_(locator)
 {
-    typedef knownEntries::valueType valueType;
-    knownEntries::table known(entries);
-    known.insert("model", valueType::WORD);
-    known.insert("minimum", valueType::FRACTION);
-    knownEntries::checkOnMaster(dict, known);
+    if (!knownEntries::stated(typeName_(), dict.get<word>("model")))
+    {
+        knownEntries::checkOnMaster(dict, withCommon(entries));
+    }
 }
 
 
@@ -44,30 +66,30 @@ Foam::autoPtr<Foam::voidFractionModel> Foam::voidFractionModel::New
     const cellLocator& locator
 )
 {
-    word model;
-    couplingEntries::onMaster([&](){ model = dict.get<word>("model"); });
-    Pstream::scatter(model);
+    couplingEntries::onMaster([&](){ checkEntries(dict); });
+    const word model(dict.get<word>("model"));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(model);
+    return autoPtr<voidFractionModel>((*dictionaryConstructorTablePtr_)[model](dict, locator));
+}
 
-    couplingEntries::onMaster
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModel::checkEntries(const dictionary& dict)
+{
+    knownEntries::checkModel
     (
-        [&]()
-        {
-            if (!cstrIter.found())
-            {
-                FatalIOErrorInLookup
-                (
-                    dict,
-                    "model",
-                    model,
-                    *dictionaryConstructorTablePtr_
-                ) << exit(FatalIOError);
-            }
-        }
+        dict,
+        knownEntries::rule
+        (
+            dictionaryConstructorTablePtr_->sortedToc(), knownEntries::REQUIRED
+        ).like("divided")
     );
-
-    return autoPtr<voidFractionModel>(cstrIter()(dict, locator));
+    const knownEntries::table* entries = knownEntries::stated(typeName_(), dict.get<word>("model"));
+    if (entries)
+    {
+        knownEntries::check(dict, withCommon(*entries));
+    }
 }
 
 

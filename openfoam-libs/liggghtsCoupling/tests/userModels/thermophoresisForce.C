@@ -13,6 +13,19 @@ namespace Foam
 {
     defineTypeNameAndDebug(thermophoresisForce, 0);
     addToRunTimeSelectionTable(grainForce, thermophoresisForce, dictionary);
+
+    const knownEntries::ofModel entriesOfThermophoresis
+    (
+        grainForce::typeName_(),
+        thermophoresisForce::typeName_(),
+        {
+            {
+                "K",
+                knownEntries::rule(0, 10, knownEntries::REQUIRED)
+               .means("the thermophoretic coefficient").like("0.5")
+            }
+        }
+    );
 }
 
 
@@ -24,12 +37,7 @@ Foam::thermophoresisForce::thermophoresisForce
     forceNeeds& needs
 )
 :
-    grainForce
-    (
-        dict,
-        needs,
-        {{"K", {knownEntries::valueType::NOT_NEGATIVE, knownEntries::REQUIRED}}}
-    ),
+    grainForce(dict, needs),
     K_(dict.get<scalar>("K")),
     rho_(needs.quantity("rho")),
     nu_(needs.quantity("nu")),
