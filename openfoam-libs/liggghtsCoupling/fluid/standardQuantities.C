@@ -253,7 +253,7 @@ struct wallDistanceQuantity
     {
         return
             fluid_.mesh().schemesDict().subOrEmptyDict("wallDist").found("method")
-          ? string() : string("system/fvSchemes has no wallDist. Add wallDist { method meshWave; } there");
+          ? string() : string("system/fvSchemes has no wallDist { method meshWave; }. Add it there");
     }
     virtual bool hasBoundaryValues() const
     {

@@ -14,12 +14,7 @@
 namespace Foam
 {
     defineTypeNameAndDebug(dividedVoidFraction, 0);
-    addToRunTimeSelectionTable
-    (
-        voidFractionModel,
-        dividedVoidFraction,
-        dictionary
-    );
+    addToRunTimeSelectionTable(voidFractionModel, dividedVoidFraction, dictionary);
     const knownEntries::ofModel dividedEntries
     (
         voidFractionModel::typeName_(), dividedVoidFraction::typeName_()
