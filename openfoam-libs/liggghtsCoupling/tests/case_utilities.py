@@ -154,8 +154,8 @@ class Utilities(grainjet.Case):
         options.write_text(options.read_text().replace("minimum 0.3", "minimum 3"))
         for command in (["decomposePar"], ["checkMesh"], ["postProcess"]):
             self.utility(command, 0)
-        for command in (["pimpleFoam", "-postProcess"], ["pimpleFoam"]):
-            result = grainjet.run(command, self.folder)
+        for command, ranks in ((["pimpleFoam", "-postProcess"], 0), (["pimpleFoam", "-postProcess"], 2), (["pimpleFoam"], 0)):
+            result = grainjet.run([*grainjet.mpirun(ranks), *command, *["-parallel"][:ranks]], self.folder, timeout=60)
             self.assertFails(result, "FOAM FATAL", "minimum 3 ", "above 0 and below 1")
             self.assertNotIn("\nTime = ", result.output)
         self.assertNoRun(content(self.folder))
