@@ -78,14 +78,14 @@ def environment(build):
     return env
 
 
-def write_grains(folder, n, side):
-    """A data file of n grains at random places."""
+def write_grains(folder, n, side, margin=0):
+    """A data file of n grains at random places, a margin away from both ends of x."""
     rng = random.Random(1)
     with open(folder / "constant/grains.data", "w") as out:
         out.write(f"grains\n\n{n} atoms\n1 atom types\n\n"
                   + "".join(f"0 {side} {k}lo {k}hi\n" for k in "xyz") + "\nAtoms\n\n")
         for i in range(1, n + 1):
-            x, y, z = (rng.uniform(0, side) for _ in range(3))
+            x, y, z = (rng.uniform(low, side - low) for low in (margin, 0, 0))
             out.write(f"{i} 1 8e-5 2950 {x} {y} {z}\n")
         out.write("\nVelocities\n\n")
         for i in range(1, n + 1):
