@@ -60,13 +60,14 @@ def trends(results):
 
 def development(results, pictures):
     lines = ["## Figures 2 and 3: full development", ""]
-    for run in results.study("development").values():
+    for title, run in (*results.study("development").items(), *results.study("development-models").items()):
         if run is None:
             continue
         planes = run.settings["planes"]
-        name = f"development-{run.settings['Uinsertion']:g}.png"
-        figures.development(run, planes, pictures/name)
-        lines += [f"![Profiles in the pipe, insertion at {run.settings['Uinsertion']:g} m/s](figures/{name})", "",
+        models = " with all models" if title.endswith("-models") else ""
+        figures.development(run, planes, pictures/f"{title}.png")
+        lines += [f"![Profiles in the pipe, insertion at {run.settings['Uinsertion']:g} m/s{models}](figures/{title}.png)", "",
+                  f"Insertion at {run.settings['Uinsertion']:g} m/s{models}:", "",
                   head("plane", "from 0D: mean/Ugc", "noise", "rms/Ugc", "noise", "G/Gm", "noise")]
         for plane in planes[:-1]:
             shifted = results_.difference_of_profiles(run.normalised(plane), run.normalised(planes[-1]))
@@ -75,6 +76,8 @@ def development(results, pictures):
         lines.append("")
     if len(lines) == 2:
         return lines + not_run(results, "development")
+    if None in results.study("development-models").values():
+        lines += not_run(results, "development-models")
     lines += ["Root mean square difference of each profile from that at the exit, and what the noise of both alone would give. The paper: most of the "
               "development within 40 D of the insertion at 60 D, minute changes in the last 20 D.", ""]
     return lines
