@@ -5,7 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 // Registers the models for the incompressible solvers (simpleFoam, pisoFoam,
-// pimpleFoam, icoUncoupledKinematicParcelFoam ...)
+// pimpleFoam ...), and for those of several immiscible ones, which solve for the
+// mixture (interFoam, interIsoFoam, multiphaseInterFoam ...)
 
 #include "turbulentTransportModels.H"
 #include "jetKEpsilon.H"

@@ -1,13 +1,14 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Entries of jetKEpsilon that are wrong, edited during the run, or in a compressible solver."""
+"""Entries of jetKEpsilon that are wrong or edited during the run."""
 
 import shutil
 import unittest
 
 import grainjet
 import homogeneous_box as box
+import lid_cavity
 from grainjet import dictionaries
 
 REST = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
@@ -98,21 +99,23 @@ class Entries(grainjet.Case):
                 else:
                     self.assertNotEqual(got[-1], unedited[-1])
 
-    def test_compressible_solver(self):
-        box.write(self.folder, "jetKEpsilon", REST, 1, 1, 0.1, 1)
-        dictionaries.write(self.folder/"constant/thermophysicalProperties", """
-thermoType
-{
-    type hePsiThermo; mixture pureMixture; transport const; thermo hConst;
-    equationOfState perfectGas; specie specie; energy sensibleInternalEnergy;
-}
-mixture { specie { molWeight 28.9; } thermodynamics { Cp 1005; Hf 0; } transport { mu 1.8e-05; Pr 0.7; } }
-""")
-        for name, dimensions, value in (("T", "[0 0 0 1 0 0 0]", 300), ("p", "1 -1 -2", 1e5)):
-            dictionaries.write_field(self.folder, name, dimensions, value, {".*": "type zeroGradient;"})
+    def test_wrong_entry_in_a_compressible_solver(self):
+        box.write(self.folder, "jetKEpsilon", REST, 1, 1, 0.1, 1, density=1.2)
         self.foam("blockMesh")
-        self.assertFails(self.foam("rhoPimpleFoam", check=False),
-                         "jetKEpsilon is for incompressible solvers", "turbulenceProperties")
+        for words, ras in ((("Unknown entry c1", "C1 C2"), "jetKEpsilonCoeffs { c1 1.44; }"),
+                           (("C2 1 must",), "jetKEpsilonCoeffs { C2 1; }"),
+                           (("Unknown roundJetCorrection pope",), "jetKEpsilonCoeffs { roundJetCorrection pope; }")):
+            with self.subTest(ras):
+                self.properties(ras)
+                self.assertFails(self.foam("rhoPimpleFoam", check=False), *words, "turbulenceProperties")
+
+    def test_wrong_entry_of_a_phase(self):
+        lid_cavity.write(self.folder, "compressibleInterFoam")
+        dictionaries.write(self.folder/"constant/turbulenceProperties", "simulationType twoPhaseTransport;")
+        box.write_turbulence(self.folder, "jetKEpsilon", name="turbulenceProperties.air", C1=-1)
+        box.write_turbulence(self.folder, "jetKEpsilon", name="turbulenceProperties.water")
+        self.foam("blockMesh")
+        self.assertFails(self.foam("compressibleInterFoam", check=False), "C1 -1 must", "turbulenceProperties.air")
 
 
 if __name__ == "__main__":

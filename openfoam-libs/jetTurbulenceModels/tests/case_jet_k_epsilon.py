@@ -10,7 +10,7 @@ import unittest
 
 import grainjet
 import homogeneous_box as box
-from grainjet import dictionaries
+import lid_cavity
 
 REST = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
 
@@ -89,71 +89,11 @@ class Homogeneous(grainjet.Case):
                          "roundJetCorrection", "Popper", "none", "Pope", "turbulenceProperties")
 
 
-CAVITY = {
-    "system/blockMeshDict": """
-vertices ((0 0 0)(1 0 0)(1 1 0)(0 1 0)(0 0 0.1)(1 0 0.1)(1 1 0.1)(0 1 0.1));
-blocks (hex (0 1 2 3 4 5 6 7) (16 16 1) simpleGrading (1 1 1));
-boundary
-(
-    lid { type wall; faces ((3 7 6 2)); }
-    walls { type wall; faces ((0 4 7 3)(1 2 6 5)(0 1 5 4)); }
-    frontAndBack { type empty; faces ((0 3 2 1)(4 5 6 7)); }
-);
-""",
-    "system/decomposeParDict": "numberOfSubdomains 2; method simple; simpleCoeffs { n (2 1 1); delta 0.001; }",
-    "system/controlDict": """
-libs ("libjetTurbulenceModels.so");
-startFrom startTime; startTime 0; stopAt endTime; endTime 0.1; deltaT 0.01;
-writeControl timeStep; writeInterval 10; writePrecision 17; runTimeModifiable no;
-""",
-    "system/fvSchemes": """
-ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }
-divSchemes { default Gauss linear; div(phi,U) Gauss linearUpwind grad(U); div(phi,k) Gauss upwind; div(phi,epsilon) Gauss upwind; }
-laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; } snGradSchemes { default corrected; }
-""",
-    "system/fvSolution": """
-solvers
-{
-    ".*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-9; relTol 0; }
-    "p.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; }
-}
-PIMPLE { nCorrectors 2; pRefCell 0; pRefValue 0; }
-""",
-    "constant/transportProperties": "transportModel Newtonian; nu 1e-05;",
-    "0/U": """dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);
-boundaryField { lid { type fixedValue; value uniform (1 0 0); } walls { type noSlip; } frontAndBack { type empty; } }""",
-    "0/p": """dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;
-boundaryField { frontAndBack { type empty; } ".*" { type zeroGradient; } }""",
-    "0/k": """dimensions [0 2 -2 0 0 0 0]; internalField uniform 0.00325;
-boundaryField { frontAndBack { type empty; } ".*" { type kqRWallFunction; value uniform 0.00325; } }""",
-    "0/epsilon": """dimensions [0 2 -3 0 0 0 0]; internalField uniform 0.000765;
-boundaryField { frontAndBack { type empty; } ".*" { type epsilonWallFunction; value uniform 0.000765; } }""",
-    "0/nut": """dimensions [0 2 -1 0 0 0 0]; internalField uniform 0;
-boundaryField { frontAndBack { type empty; } ".*" { type nutkWallFunction; value uniform 0; } }""",
-}
+class Cavity(lid_cavity.Comparison):
 
-
-class Cavity(grainjet.Case):
-    """A driven cavity with walls, 10 steps: every written field compared byte for byte."""
-
-    def fields(self, model, ranks, **coefficients):
-        folder = self.folder/f"{model}{ranks}{len(coefficients)}"
-        for name, text in CAVITY.items():
-            kind = "volVectorField" if name == "0/U" else "volScalarField" if name.startswith("0/") else "dictionary"
-            dictionaries.write(folder/name, text, kind)
-        box.write_turbulence(folder, model, **coefficients)
-        self.foam("blockMesh", folder)
-        if ranks:
-            self.foam("decomposePar", folder)
-        self.foam("pimpleFoam", folder, ranks=ranks)
-        roots = sorted(folder.glob("processor*")) if ranks else [folder]
-        return [(root/"0.1"/name).read_bytes() for root in roots for name in ("U", "p", "k", "epsilon", "nut")]
-
-    def test_standard_coefficients_give_stock_k_epsilon_bit_for_bit(self):
-        for ranks in (0, 2):
-            stock = self.fields("kEpsilon", ranks)
-            self.assertEqual(stock, self.fields("jetKEpsilon", ranks, C1=1.44, C2=1.92, roundJetCorrection="none"))
-            self.assertNotEqual(stock, self.fields("jetKEpsilon", ranks), "the defaults must differ")
+    def test_pimpleFoam(self):
+        self.prepare("pimpleFoam")
+        self.compare()
 
 
 if __name__ == "__main__":

@@ -23,7 +23,8 @@ PROGRAMS = {
     "othercompiler": "",
 }
 SILENT = ("dpkg-query", "id", "g++", "clang++", "othercompiler")    # only asked for something
-LIBRARIES = ("jetTurbulenceModels", "particleSamplingPlanes", "liggghtsCoupling")
+LIBRARIES = ("jetTurbulenceModels", "particleSamplingPlanes", "liggghtsCoupling", "jetVoFphaseTurbulenceModels",
+             "jetTwoPhaseMixtureTurbulenceModels", "jetReactingPhaseTurbulenceModels")
 OF_TESTS = ("libgtest-dev", "python3", "python3-numpy", "python3-scipy", "python3-matplotlib", "python3-vtk9")
 
 
@@ -51,6 +52,8 @@ class Allwmake(grainjet.Case):
         (foam / "META-INFO").mkdir(parents=True)
         (foam / "META-INFO/api-info").write_text("api=1912\n")
         (foam / "wmake").mkdir()
+        self.phases = foam / "src/phaseSystemModels/reactingEulerFoam"
+        self.phases.mkdir(parents=True)
         shutil.copy(programs / "wmake", foam / "wmake/wmake")
         self.env = {"PATH": f"{programs}:{grainjet.ENV['PATH']}", "WM_PROJECT_DIR": foam, "WM_PROJECT_VERSION": "v1912",
                     "WM_COMPILER": "Gcc", "WM_OPTIONS": "linux64", "WM_PRECISION_OPTION": "DP",
@@ -80,6 +83,13 @@ class Allwmake(grainjet.Case):
         self.assertIn(" -DGRAINJET_TESTS=ON ", self.one(calls, "cmake -S"))
         for library in LIBRARIES:
             self.assertIn(f"{library}: wmake -s libso", calls)
+
+    def test_phases_of_another_version(self):
+        """Where their headers lie elsewhere the library for them is left out, and the rest is built."""
+        self.phases.rmdir()
+        result, calls = self.allwmake()
+        self.assertEqual(result.code, 0, result)
+        self.assertEqual([f"{library}: wmake -s libso" in calls for library in LIBRARIES], [True]*5 + [False])
 
     def test_without_tests(self):
         """No package for tests is asked for, the plugins' tests are off, all products are built."""
@@ -133,10 +143,10 @@ class Allwmake(grainjet.Case):
             self.assertEqual(result.code, 0, result)
             return [path.exists() for path in products]
 
-        self.assertEqual(kept(), [True]*4)
-        self.assertEqual(kept(VERSION="2"), [False]*4)
-        self.assertEqual(kept(VERSION="2"), [True]*4)
-        self.assertEqual(kept(VERSION="2", CXX="clang++", WM_COMPILER="Clang"), [False]*4)
+        self.assertEqual(kept(), [True]*len(products))
+        self.assertEqual(kept(VERSION="2"), [False]*len(products))
+        self.assertEqual(kept(VERSION="2"), [True]*len(products))
+        self.assertEqual(kept(VERSION="2", CXX="clang++", WM_COMPILER="Clang"), [False]*len(products))
 
 
 class Plugins(unittest.TestCase):
