@@ -7,6 +7,7 @@
 #include "carrierFluid.H"
 #include "couplingEntries.H"
 #include "fvcGrad.H"
+#include "gradScheme.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -53,7 +54,8 @@ Foam::carrierFluid::carrierFluid
     dict_(dict),
     coeffs_(coefficients(dict)),
     UName_(dict.lookupOrDefault<word>("U", "U")),
-    pName_(dict.lookupOrDefault<word>("p", "p"))
+    pName_(dict.lookupOrDefault<word>("p", "p")),
+    velocity_(nullptr)
 {
     knownEntries::table known(entries);
     known.insert("model", knownEntries::valueType::WORD);
@@ -103,6 +105,23 @@ Foam::autoPtr<Foam::carrierFluid> Foam::carrierFluid::New
 const Foam::turbulenceModel* Foam::carrierFluid::model() const
 {
     return mesh_.cfindObject<turbulenceModel>(turbulenceModel::propertiesName);
+}
+
+
+Foam::tmp<Foam::volTensorField> Foam::carrierFluid::gradVelocity(const word& scheme) const
+{
+    const word name(scheme + '(' + UName_ + ')');
+    if (!velocity_)
+    {
+        return fvc::grad(U(), name);
+    }
+
+    // A gradient that the solver keeps in its cache under this name is that of U
+    return fv::gradScheme<vector>::New(mesh_, mesh_.gradScheme(name))().calcGrad
+    (
+        *velocity_,
+        scheme + '(' + velocity_->name() + ')'
+    );
 }
 
 
