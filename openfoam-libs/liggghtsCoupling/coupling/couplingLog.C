@@ -146,11 +146,15 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::couplingLog::closeFluidStep(grainMomentum& momentum)
+void Foam::couplingLog::closeFluidStep
+(
+    grainMomentum& momentum,
+    const vectorField& stress
+)
 {
     if (twoWay_)
     {
-        toFluid_ = momentum.close();
+        toFluid_ = momentum.close(stress);
         owed_ = momentum.owed();
     }
 }

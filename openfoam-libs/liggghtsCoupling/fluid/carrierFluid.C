@@ -8,6 +8,7 @@
 #include "couplingEntries.H"
 #include "fvcGrad.H"
 #include "gradScheme.H"
+#include "surfaceFields.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,7 +56,8 @@ Foam::carrierFluid::carrierFluid
     coeffs_(coefficients(dict)),
     UName_(dict.lookupOrDefault<word>("U", "U")),
     pName_(dict.lookupOrDefault<word>("p", "p")),
-    velocity_(nullptr)
+    velocity_(nullptr),
+    voidFraction_(nullptr)
 {
     knownEntries::table known(entries);
     known.insert("model", knownEntries::valueType::WORD);
@@ -105,6 +107,12 @@ Foam::autoPtr<Foam::carrierFluid> Foam::carrierFluid::New
 const Foam::turbulenceModel* Foam::carrierFluid::model() const
 {
     return mesh_.cfindObject<turbulenceModel>(turbulenceModel::propertiesName);
+}
+
+
+const Foam::surfaceScalarField& Foam::carrierFluid::phi() const
+{
+    return mesh_.lookupObject<surfaceScalarField>("phi");
 }
 
 

@@ -7,6 +7,7 @@
 #include "momentumExchange.H"
 #include "couplingEntries.H"
 #include "fvMatrices.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -60,6 +61,7 @@ Foam::momentumExchange::momentumExchange
 :
     twoWay_(couplingEntries::twoWay(dict)),
     setI_(couplingEntries::setI(dict)),
+    full_(voidFractionEquations::full(dict)),
     momentum_(grainMomentum::New(dict, fluid)),
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_
@@ -84,7 +86,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     ownedGrains& grains,
     const grainForces& forces,
     const UList<grainForces::record>& records,
-    cellAverages& averages
+    cellAverages& averages,
+    const vectorField& stress
 )
 {
     const fvMesh& mesh = dragCoefficient_.mesh();
@@ -111,13 +114,24 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     deposit(grains, records, averages, dt);
 
     const labelUList& cells = averages.cells().cells();
+    felt_.clear();
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
     forAll(cells, i)
     {
         const label celli = cells[i];
         exchanged& e = exchanged_[i];
-        if (!setI_)
+        if (full_ && setI_)
+        {
+            felt_.append
+            (
+                grainMomentum::feltStress
+                {
+                    (1 - averages.voidFraction()[celli])*V[celli], stress[celli]
+                }
+            );
+        }
+        else if (!full_ && !setI_)
         {
             e.impulse += dt*averages.solidVolume(i)*forces.stressDensity(celli);
         }
@@ -131,7 +145,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
     if (twoWay_)
     {
-        momentum_->set(cells, impulse, slope, dt);
+        momentum_->set(cells, impulse, slope, felt_, dt);
     }
     return received;
 }

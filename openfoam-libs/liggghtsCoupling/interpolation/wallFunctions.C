@@ -156,7 +156,7 @@ Foam::List<Foam::wallFunctions::faceState> Foam::wallFunctions::states() const
     label n = 0;
     for (const label patchi : patches_)
     {
-        const fvPatchVectorField& U = fluid_.velocity().boundaryField()[patchi];
+        const fvPatchVectorField& U = fluid_.U().boundaryField()[patchi];
         const vectorField gradient(U.snGrad());
         const vectorField normal(U.patch().nf());
         const scalarField nu(fluid_.model()->nu(patchi));

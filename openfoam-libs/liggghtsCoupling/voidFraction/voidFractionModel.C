@@ -32,6 +32,7 @@ Foam::voidFractionModel::voidFractionModel
     knownEntries::table known(entries);
     known.insert("model", valueType::WORD);
     known.insert("minimum", valueType::FRACTION);
+    known.insert("equations", valueType::WORD);
     knownEntries::checkOnMaster(dict, known);
 }
 

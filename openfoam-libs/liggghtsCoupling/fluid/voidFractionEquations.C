@@ -1,0 +1,257 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "voidFractionEquations.H"
+#include "calculatedFvPatchFields.H"
+#include "convectionScheme.H"
+#include "couplingEntries.H"
+#include "ddtScheme.H"
+#include "fvcDiv.H"
+#include "fvcLaplacian.H"
+#include "fvcSurfaceIntegrate.H"
+#include "fvmDdt.H"
+#include "fvmDiv.H"
+#include "fvMatrices.H"
+#include "gradScheme.H"
+#include "linear.H"
+#include "turbulenceModel.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+bool hasPressureGradient(const dictionary& dict)
+{
+    const word name("pressureGradient");
+    return
+        dict.isDict("forces")
+      ? dict.subDict("forces").found(name)
+      : dict.lookupOrDefault<wordList>("forces", wordList()).found(name);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
+{
+    const volVectorField& U = fluid_.U();
+    u.primitiveFieldRef() =
+        (U.primitiveField() - solidsFlux_.primitiveField())/voidFraction_.primitiveField();
+
+    forAll(u.boundaryFieldRef(), patchi)
+    {
+        fvPatchVectorField& ub = u.boundaryFieldRef()[patchi];
+        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+        if (ub.type() != calculatedFvPatchVectorField::typeName)
+        {
+            continue;
+        }
+
+        // The fluid between the grains has the velocity of the wall there
+        ub =
+            isA<wallFvPatch>(Ub.patch())
+          ? vectorField(Ub)
+          : vectorField
+            (
+                (Ub - solidsFlux_.boundaryField()[patchi])
+               /voidFraction_.boundaryField()[patchi]
+            );
+    }
+    u.correctBoundaryConditions();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::voidFractionEquations::fluxOfFluid() const
+{
+    const fvMesh& mesh = fluid_.mesh();
+    return tmp<surfaceScalarField>::New
+    (
+        "phiFluid",
+        (fluid_.phi() - (linearInterpolate(solidsFlux_) & mesh.Sf()))
+       /linearInterpolate(voidFraction_)
+    );
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
+(
+    const volVectorField& velocity
+) const
+{
+    const word& name = fluid_.UName();
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const tmp<volTensorField> tgradient
+    (
+        // Not from the cache, where the gradient of U has this name
+        fv::gradScheme<vector>::New
+        (
+            fluid_.mesh(), fluid_.mesh().gradScheme("grad(" + name + ')')
+        )().calcGrad(velocity, "grad(" + velocity.name() + ')')
+    );
+    return
+        fvc::laplacian(tnuEff(), velocity, "laplacian(nuEff," + name + ')')
+      + fvc::div
+        (
+            tnuEff()*dev2(T(tgradient)),
+            "div((nuEff*dev2(T(grad(" + name + ")))))"
+        );
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
+{
+    const tmp<volScalarField> trho(fluid_.rho());
+    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
+    const tmp<volVectorField> tgradP(fluid_.gradP());
+    return trho().primitiveField()*tviscous().primitiveField() - tgradP().primitiveField();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionEquations::voidFractionEquations
+(
+    carrierFluid& fluid,
+    const volScalarField& voidFraction,
+    const volVectorField& solidsFlux
+)
+:
+    fluid_(fluid),
+    voidFraction_(voidFraction),
+    solidsFlux_(solidsFlux),
+    fluidVelocity_
+    (
+        IOobject
+        (
+            "fluidVelocity",
+            fluid.mesh().time().timeName(),
+            fluid.mesh()
+        ),
+        fluid.mesh(),
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    stress_(fluid.mesh().nCells(), Zero)
+{
+    fluid.setVelocity(fluidVelocity_, voidFraction_);
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+bool Foam::voidFractionEquations::full(const dictionary& dict)
+{
+    const dictionary& voidFraction = dict.subOrEmptyDict("voidFraction");
+    const bool twoWay = couplingEntries::twoWay(dict);
+    const bool pressure = hasPressureGradient(dict);
+
+    if (!voidFraction.found("equations"))
+    {
+        return
+            twoWay && pressure
+         && dict.lookupOrDefault<word>("momentum", "implicit") == "implicit";
+    }
+    if (!couplingEntries::isFirst(voidFraction, "equations", "full", "neglected"))
+    {
+        return false;
+    }
+    if (!twoWay)
+    {
+        FatalIOErrorInFunction(voidFraction)
+            << "equations full and coupling oneWay: the void fraction changes the flow, while"
+            << " oneWay leaves it as it is without grains. Set coupling twoWay, or equations"
+            << " neglected" << exit(FatalIOError);
+    }
+    if (!pressure)
+    {
+        FatalIOErrorInFunction(voidFraction)
+            << "equations full: the pressure of the fluid acts on fluid and grains alike, but"
+            << " pressureGradient is not among the forces. Add it, as in\n"
+            << "    forces (pressureGradient viscous);\n"
+            << "or set equations neglected" << exit(FatalIOError);
+    }
+    if (dict.lookupOrDefault<word>("momentum", "implicit") != "implicit")
+    {
+        FatalIOErrorInFunction(voidFraction)
+            << "equations full needs momentum implicit, since dense beds have no explicit step"
+            << " that is stable" << exit(FatalIOError);
+    }
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionEquations::closeStep()
+{
+    update();
+    stress_ = presentStress();
+}
+
+
+void Foam::voidFractionEquations::update()
+{
+    setFluidVelocity(fluidVelocity_);
+    fluidVelocity_.instance() = fluid_.mesh().time().timeName();
+}
+
+
+void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const volVectorField& U = fluid_.U();
+    const surfaceScalarField& phi = fluid_.phi();
+    const word& name = fluid_.UName();
+
+    const tmp<surfaceScalarField> tfluid(fluxOfFluid());
+    const surfaceScalarField& fluidFlux = tfluid();
+    const volScalarField::Internal share(1/voidFraction_.internalField());
+
+    // The solver's inertia out, that of the fluid between the grains in
+    eqn += fvm::ddt(U);
+    eqn += fvm::div(phi, U);
+
+    fvMatrix<vector> own(fvm::ddt(U));
+    own += fvm::div(fluidFlux, U, "div(" + phi.name() + ',' + name + ')');
+    own *= share;
+    eqn -= own;
+
+    const tmp<volVectorField> inertiaOfSolids
+    (
+        fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme("ddt(" + name + ')')).ref().fvcDdt
+        (
+            solidsFlux_
+        )
+      + fvc::surfaceIntegrate(fluidFlux*linearInterpolate(solidsFlux_))
+    );
+    eqn += share*inertiaOfSolids().internalField();
+
+    volVectorField difference("velocityDifference", fluidVelocity_);
+    setFluidVelocity(difference);
+    difference -= U;
+    const tmp<volVectorField> tviscous(viscousStress(difference));
+    eqn += tviscous().internalField();
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::write()
+{
+    // What function objects see does not depend on the steps that are written
+    const volVectorField ofBeginning(fluidVelocity_);
+    update();
+    fluidVelocity_.write();
+    tmp<vectorField> tstress(presentStress());
+    fluidVelocity_ == ofBeginning;
+    return tstress;
+}
+
+
+// ************************************************************************* //
