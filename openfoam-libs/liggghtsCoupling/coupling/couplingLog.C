@@ -149,13 +149,18 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
 void Foam::couplingLog::closeFluidStep
 (
     grainMomentum& momentum,
-    const vectorField& stress
+    const voidFractionEquations* equations
 )
 {
     if (twoWay_)
     {
-        toFluid_ = momentum.close(stress);
+        toFluid_ = momentum.close(equations ? equations->stress() : vectorField::null());
         owed_ = momentum.owed();
+        if (equations)
+        {
+            toFluid_ += equations->received();
+            owed_ += equations->owed();
+        }
     }
 }
 

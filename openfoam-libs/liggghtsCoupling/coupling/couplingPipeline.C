@@ -157,15 +157,12 @@ void Foam::couplingPipeline::advance()
     {
         equations_->closeStep();
     }
-    log_.closeFluidStep
-    (
-        momentum_.momentum(), equations_ ? equations_->stress() : vectorField::null()
-    );
+    log_.closeFluidStep(momentum_.momentum(), equations_.get());
 
     step.cells = averages_.update(*grains_);
     if (equations_)
     {
-        equations_->update();
+        equations_->beginStep();
     }
     step.slipSum = forces_.act(*grains_, records_);
 

@@ -14,6 +14,7 @@
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
+#include "fvmLaplacian.H"
 #include "fvMatrices.H"
 #include "gradScheme.H"
 #include "linear.H"
@@ -107,6 +108,49 @@ Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
 }
 
 
+void Foam::voidFractionEquations::update()
+{
+    setFluidVelocity(fluidVelocity_);
+}
+
+
+void Foam::voidFractionEquations::smooth()
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const scalarField& V = mesh.V();
+    const scalar dt = dt_ = mesh.time().deltaTValue();
+    const tmp<volScalarField> trho(fluid_.rho());
+    const scalarField& rho = trho().primitiveField();
+
+    const surfaceScalarField flux(linearInterpolate(solidsFlux_) & mesh.Sf());
+    const tmp<volScalarField> trate
+    (
+        fv::ddtScheme<scalar>::New
+        (
+            mesh, mesh.ddtScheme("ddt(" + fluid_.UName() + ')')
+        ).ref().fvcDdt(voidFraction_)
+      - fvc::surfaceIntegrate(flux)
+    );
+    const tmp<volScalarField> tpassages(0.5*fvc::surfaceSum(mag(fluid_.phi())));
+
+    forAll(smoothing_, celli)
+    {
+        const vector kick
+        (
+            rho[celli]*V[celli]*trate()[celli]*fluidVelocity_[celli]
+        );
+        vector& unpaid = unpaid_[celli];
+        unpaid -= dt*kick;
+
+        const scalar share =
+            -std::expm1(-0.01*tpassages()[celli]*dt/V[celli]);
+        smoothing_[celli] = kick + share*unpaid/dt;
+        unpaid -= share*unpaid;
+    }
+    unpaid_.instance() = mesh.time().timeName();
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
 {
     const tmp<volScalarField> trho(fluid_.rho());
@@ -139,7 +183,22 @@ Foam::voidFractionEquations::voidFractionEquations
         fluid.mesh(),
         dimensionedVector(dimVelocity, Zero)
     ),
-    stress_(fluid.mesh().nCells(), Zero)
+    stress_(fluid.mesh().nCells(), Zero),
+    unpaid_
+    (
+        IOobject
+        (
+            "momentumOfShares",
+            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
+            fluid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        fluid.mesh(),
+        dimensionedVector(dimForce*dimTime, Zero)
+    ),
+    smoothing_(fluid.mesh().nCells(), Zero),
+    dt_(0)
 {
     fluid.setVelocity(fluidVelocity_, voidFraction_);
 }
@@ -197,10 +256,22 @@ void Foam::voidFractionEquations::closeStep()
 }
 
 
-void Foam::voidFractionEquations::update()
+void Foam::voidFractionEquations::beginStep()
 {
-    setFluidVelocity(fluidVelocity_);
-    fluidVelocity_.instance() = fluid_.mesh().time().timeName();
+    update();
+    smooth();
+}
+
+
+Foam::vector Foam::voidFractionEquations::received() const
+{
+    return sum(smoothing_)*dt_;
+}
+
+
+Foam::vector Foam::voidFractionEquations::owed() const
+{
+    return sum(unpaid_.field());
 }
 
 
@@ -239,6 +310,28 @@ void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
     difference -= U;
     const tmp<volVectorField> tviscous(viscousStress(difference));
     eqn += tviscous().internalField();
+
+    // Of the present U so far. What the new one adds to it is implicit, or large viscosities would not be
+    // stable: u - U is about (1/e - 1) U
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const fvMatrix<vector> change
+    (
+        fvm::laplacian
+        (
+            linearInterpolate(tnuEff*(1/voidFraction_ - 1)),
+            U,
+            "laplacian(nuEff," + name + ')'
+        )
+    );
+    eqn += change;
+    eqn -= (change & U)().internalField();
+
+    vectorField& source = eqn.source();
+    forAll(source, celli)
+    {
+        source[celli] -=
+            smoothing_[celli]/(fluid_.equationDensity(celli)*voidFraction_[celli]);
+    }
 }
 
 
@@ -247,6 +340,7 @@ Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::write()
     // What function objects see does not depend on the steps that are written
     const volVectorField ofBeginning(fluidVelocity_);
     update();
+    fluidVelocity_.instance() = fluid_.mesh().time().timeName();
     fluidVelocity_.write();
     tmp<vectorField> tstress(presentStress());
     fluidVelocity_ == ofBeginning;

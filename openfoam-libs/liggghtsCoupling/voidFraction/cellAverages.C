@@ -84,6 +84,7 @@ void Foam::cellAverages::makeSolidsFlux()
         new volVectorField(header, mesh, dimensionedVector(dimVelocity, Zero), types)
     );
     solidsFlux_->oldTime();
+    voidFraction_.oldTime();
 }
 
 
@@ -112,6 +113,7 @@ void Foam::cellAverages::setSolidsFlux()
     if (first_ && !continues_)
     {
         q.oldTime() == q;
+        voidFraction_.oldTime() == voidFraction_;
     }
 }
 
