@@ -177,7 +177,7 @@ void Foam::couplingPipeline::advance()
     step.received = momentum_.receive
     (
         *grains_, forces_, records_, averages_,
-        equations_ ? equations_->stress() : vectorField::null()
+        equations_ ? equations_->feltStress()() : vectorField::null()
     );
 
     step.counts = session_.counts();

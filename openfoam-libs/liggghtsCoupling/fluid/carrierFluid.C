@@ -57,7 +57,9 @@ Foam::carrierFluid::carrierFluid
     UName_(dict.lookupOrDefault<word>("U", "U")),
     pName_(dict.lookupOrDefault<word>("p", "p")),
     velocity_(nullptr),
-    voidFraction_(nullptr)
+    voidFraction_(nullptr),
+    feltGradP_(nullptr),
+    feltDivTau_(nullptr)
 {
     knownEntries::table known(entries);
     known.insert("model", knownEntries::valueType::WORD);

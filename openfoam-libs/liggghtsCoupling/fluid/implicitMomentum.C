@@ -38,7 +38,7 @@ Foam::vector Foam::implicitMomentum::missing
     vector owed
     (
         source.later
-      + source.slope*(fluid_.U()[source.cell] - source.U0)/source.e*dt_
+      + source.slope*(fluid_.U()[source.cell] - source.U0)*dt_
     );
     if (source.felt.volume > 0)
     {
@@ -140,7 +140,7 @@ void Foam::implicitMomentum::set
         const label celli = cells[i];
         const scalar e = fluid_.equationVoidFraction(celli);
         const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
-        const vector now(e*owed_[celli]/(1 + kappa/e));
+        const vector now(e*owed_[celli]/(1 + kappa));
         const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
         number_[celli] = i;
@@ -180,9 +180,8 @@ void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
     for (const cellSource& source : sources_)
     {
         const scalar rho = fluid_.equationDensity(source.cell)*source.e;
-        const scalar slope = source.slope/source.e;
-        diag[source.cell] -= slope/rho;
-        rhs[source.cell] -= (source.wanted/dt_ + slope*source.U0)/rho;
+        diag[source.cell] -= source.slope/rho;
+        rhs[source.cell] -= (source.wanted/dt_ + source.slope*source.U0)/rho;
     }
 }
 

@@ -32,7 +32,8 @@ void Foam::momentumExchange::deposit
             scalar slope = 0;
             if (twoWay_ && r.dragCoefficient > 0)
             {
-                const scalar response = -std::expm1(-r.allCoefficients*dt/mass);
+                const scalar response =
+                    -std::expm1(-r.allCoefficients/r.voidFraction*dt/mass);
                 slope =
                     r.dragCoefficient/r.allCoefficients*(mass/dt*response)
                   - r.addedMass/dt*response;

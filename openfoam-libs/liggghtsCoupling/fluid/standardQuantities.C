@@ -164,7 +164,7 @@ struct pressureGradientQuantity
 
     virtual tmp<volVectorField> vectorField() const
     {
-        return fluid_.gradP();
+        return fluid_.feltGradP();
     }
 };
 
@@ -178,7 +178,7 @@ struct viscousStressQuantity
 
     virtual tmp<volVectorField> vectorField() const
     {
-        return fluid_.divTau();
+        return fluid_.feltDivTau();
     }
 };
 

@@ -20,6 +20,7 @@
 #include "linear.H"
 #include "turbulenceModel.H"
 #include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -35,6 +36,21 @@ bool hasPressureGradient(const dictionary& dict)
         dict.isDict("forces")
       ? dict.subDict("forces").found(name)
       : dict.lookupOrDefault<wordList>("forces", wordList()).found(name);
+}
+
+
+// A field that is written with those of the solver, and read by a continued run
+IOobject continuedHeader(const word& name, const carrierFluid& fluid)
+{
+    const Time& time = fluid.mesh().time();
+    return IOobject
+    (
+        name,
+        time.timeName(time.startTime().value()),
+        fluid.mesh(),
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
 }
 
 } // End anonymous namespace
@@ -114,6 +130,22 @@ void Foam::voidFractionEquations::update()
 }
 
 
+void Foam::voidFractionEquations::follow
+(
+    volVectorField& felt,
+    const volVectorField& present
+) const
+{
+    const scalarField& e = voidFraction_.primitiveField();
+    felt.primitiveFieldRef() =
+        hasFelt_
+      ? tmp<vectorField>(e*present.primitiveField() + (1 - e)*felt.primitiveField())
+      : tmp<vectorField>(present.primitiveField());
+    felt.correctBoundaryConditions();
+    felt.instance() = felt.time().timeName();
+}
+
+
 void Foam::voidFractionEquations::smooth()
 {
     const fvMesh& mesh = fluid_.mesh();
@@ -183,24 +215,35 @@ Foam::voidFractionEquations::voidFractionEquations
         fluid.mesh(),
         dimensionedVector(dimVelocity, Zero)
     ),
+    feltGradP_
+    (
+        continuedHeader("feltPressureGradient", fluid),
+        fluid.mesh(),
+        dimensionedVector(dimPressure/dimLength, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    feltDivTau_
+    (
+        continuedHeader("feltViscousStress", fluid),
+        fluid.mesh(),
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    hasFelt_
+    (
+        continuedHeader("feltPressureGradient", fluid).typeHeaderOk<volVectorField>(true)
+    ),
     stress_(fluid.mesh().nCells(), Zero),
     unpaid_
     (
-        IOobject
-        (
-            "momentumOfShares",
-            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
-            fluid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        continuedHeader("momentumOfShares", fluid),
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     ),
     smoothing_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {
-    fluid.setVelocity(fluidVelocity_, voidFraction_);
+    fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
 }
 
 
@@ -253,6 +296,9 @@ void Foam::voidFractionEquations::closeStep()
 {
     update();
     stress_ = presentStress();
+    follow(feltGradP_, fluid_.gradP());
+    follow(feltDivTau_, fluid_.divTau());
+    hasFelt_ = true;
 }
 
 
