@@ -14,6 +14,7 @@
 #include "OSspecific.H"
 #include "repeatedEntry.H"
 #include "Time.H"
+#include "voidFractionEquations.H"
 #include "voidFractionModel.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -223,6 +224,7 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
         }
         grainForces::checkEntries(coeffs);
         turbulentDispersion::checkEntries(coeffs);
+        voidFractionEquations::checkEntries(coeffs);
     }
 }
 

@@ -146,12 +146,21 @@ Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::couplingLog::closeFluidStep(grainMomentum& momentum)
+void Foam::couplingLog::closeFluidStep
+(
+    grainMomentum& momentum,
+    const voidFractionEquations* equations
+)
 {
     if (twoWay_)
     {
-        toFluid_ = momentum.close();
+        toFluid_ = momentum.close(equations ? equations->stress() : vectorField::null());
         owed_ = momentum.owed();
+        if (equations)
+        {
+            toFluid_ += equations->received();
+            owed_ += equations->owed();
+        }
     }
 }
 

@@ -78,6 +78,16 @@ void Foam::couplingPipeline::start()
 }
 
 
+void Foam::couplingPipeline::writeState()
+{
+    const tmp<vectorField> tstress
+    (
+        equations_ ? equations_->write() : tmp<vectorField>(vectorField::null())
+    );
+    momentum_.momentum().write(tstress());
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingPipeline::couplingPipeline
@@ -94,6 +104,12 @@ Foam::couplingPipeline::couplingPipeline
     forces_(dict, fluid, locator_),
     former_(fluid.mesh()),
     averages_(dict, locator_),
+    equations_
+    (
+        voidFractionEquations::full(dict)
+      ? new voidFractionEquations(fluid, averages_.voidFraction(), averages_.solidsFlux())
+      : nullptr
+    ),
     momentum_(dict, fluid),
     session_
     (
@@ -111,7 +127,10 @@ Foam::couplingPipeline::couplingPipeline
     }
     restart_.reset
     (
-        new couplingRestart(fluid.mesh(), session_, momentum_.momentum(), log_, former_)
+        new couplingRestart
+        (
+            fluid.mesh(), session_, momentum_.momentum(), [this](){ writeState(); }, log_, former_
+        )
     );
     cloud.show(session_);
 
@@ -120,6 +139,7 @@ Foam::couplingPipeline::couplingPipeline
         << (former_.continues() ? " continued" : " new") << " grains, "
         << interval_ << " DEM steps of " << session_.timeStep()
         << " s per fluid step" << nl;
+    Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
     forces_.report(Info);
     Info<< endl;
 }
@@ -133,9 +153,17 @@ void Foam::couplingPipeline::advance()
     couplingLog::step step;
 
     couplingChecks(dict_, fluid_.mesh(), session_).timeStep();
-    log_.closeFluidStep(momentum_.momentum());
+    if (equations_)
+    {
+        equations_->closeStep();
+    }
+    log_.closeFluidStep(momentum_.momentum(), equations_.get());
 
     step.cells = averages_.update(*grains_);
+    if (equations_)
+    {
+        equations_->beginStep();
+    }
     step.slipSum = forces_.act(*grains_, records_);
 
     const scalar before = clock.elapsedTime();
@@ -146,7 +174,11 @@ void Foam::couplingPipeline::advance()
     // It ends with a reduction, so that waiting for the slowest rank is time of DEM
     step.demSeconds = clock.elapsedTime() - before;
 
-    step.received = momentum_.receive(*grains_, forces_, records_, averages_);
+    step.received = momentum_.receive
+    (
+        *grains_, forces_, records_, averages_,
+        equations_ ? equations_->feltStress()() : vectorField::null()
+    );
 
     step.counts = session_.counts();
     step.grains = grains_->numbers();
@@ -154,6 +186,16 @@ void Foam::couplingPipeline::advance()
     step.bytes = grains_->bytes() + averages_.shares().bytes();
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
     log_.write(step);
+}
+
+
+void Foam::couplingPipeline::addSup(fvMatrix<vector>& eqn) const
+{
+    if (equations_)
+    {
+        equations_->addSup(eqn);
+    }
+    momentum_.addSup(eqn);
 }
 
 

@@ -62,6 +62,7 @@ Foam::couplingRestart::couplingRestart
     const fvMesh& mesh,
     liggghtsSession& session,
     const grainMomentum& momentum,
+    const std::function<void()>& writeState,
     couplingLog& log,
     const formerRun& former
 )
@@ -80,6 +81,7 @@ Foam::couplingRestart::couplingRestart
     mesh_(mesh),
     session_(session),
     momentum_(momentum),
+    writeState_(writeState),
     log_(log)
 {
     if (former.continues())
@@ -129,7 +131,7 @@ bool Foam::couplingRestart::writeObject
     }
     const auto grains = session_.writeRestart(time.relativePath(partial));
 
-    momentum_.write();
+    writeState_();
 
     // Numbers of any size are written with all their digits, as words
     IOdictionary counters(uniform(formerRun::propertiesName));

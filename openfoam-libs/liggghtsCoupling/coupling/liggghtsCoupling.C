@@ -157,7 +157,7 @@ void Foam::fv::liggghtsCoupling::addSup
         pipeline_->advance();
     }
     noteRelaxation(eqn);
-    pipeline_->momentum().addSup(eqn);
+    pipeline_->addSup(eqn);
 }
 
 

@@ -6,7 +6,6 @@
 
 #include "accelerationQuantity.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvcGrad.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -31,7 +30,7 @@ Foam::tmp<Foam::volVectorField> Foam::accelerationQuantity::vectorField() const
 {
     const fvMesh& mesh = fluid_.mesh();
     const Time& time = mesh.time();
-    const volVectorField& U = fluid_.U();
+    const volVectorField& U = fluid_.velocity();
 
     if (!previousU_)
     {
@@ -48,7 +47,7 @@ Foam::tmp<Foam::volVectorField> Foam::accelerationQuantity::vectorField() const
     }
 
     volVectorField& previous = *previousU_;
-    tmp<volVectorField> tDUDt((U & fvc::grad(U)));
+    tmp<volVectorField> tDUDt((U & fluid_.gradVelocity()));
     volVectorField& DUDt = tDUDt.ref();
     DUDt.primitiveFieldRef() +=
         (U.primitiveField() - previous.primitiveField())/time.deltaTValue();

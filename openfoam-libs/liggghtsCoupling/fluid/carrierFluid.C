@@ -7,6 +7,8 @@
 #include "carrierFluid.H"
 #include "couplingEntries.H"
 #include "fvcGrad.H"
+#include "gradScheme.H"
+#include "surfaceFields.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -78,7 +80,11 @@ Foam::carrierFluid::carrierFluid
     dict_(dict),
     coeffs_(coefficients(dict)),
     UName_(dict.lookupOrDefault<word>("U", "U")),
-    pName_(dict.lookupOrDefault<word>("p", "p"))
+    pName_(dict.lookupOrDefault<word>("p", "p")),
+    velocity_(nullptr),
+    voidFraction_(nullptr),
+    feltGradP_(nullptr),
+    feltDivTau_(nullptr)
 {
     if (!knownEntries::stated(typeName_(), kindOf(dict)))
     {
@@ -135,6 +141,29 @@ void Foam::carrierFluid::checkEntries(const dictionary& dict)
 const Foam::turbulenceModel* Foam::carrierFluid::model() const
 {
     return mesh_.cfindObject<turbulenceModel>(turbulenceModel::propertiesName);
+}
+
+
+const Foam::surfaceScalarField& Foam::carrierFluid::phi() const
+{
+    return mesh_.lookupObject<surfaceScalarField>("phi");
+}
+
+
+Foam::tmp<Foam::volTensorField> Foam::carrierFluid::gradVelocity(const word& scheme) const
+{
+    const word name(scheme + '(' + UName_ + ')');
+    if (!velocity_)
+    {
+        return fvc::grad(U(), name);
+    }
+
+    // A gradient that the solver keeps in its cache under this name is that of U
+    return fv::gradScheme<vector>::New(mesh_, mesh_.gradScheme(name))().calcGrad
+    (
+        *velocity_,
+        scheme + '(' + velocity_->name() + ')'
+    );
 }
 
 

@@ -28,7 +28,7 @@ Foam::explicitMomentum::explicitMomentum(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::explicitMomentum::close()
+Foam::vector Foam::explicitMomentum::close(const vectorField&)
 {
     return sum(wanted_);
 }
@@ -45,6 +45,7 @@ void Foam::explicitMomentum::set
     const labelUList& cells,
     const vectorField& impulse,
     const scalarField&,
+    const stressList&,
     const scalar dt
 )
 {

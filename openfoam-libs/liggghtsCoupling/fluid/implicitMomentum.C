@@ -17,13 +17,34 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const Foam::grainMomentum::feltStress unfelt{0, Foam::Zero};
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::implicitMomentum::missing(const cellSource& source) const
+Foam::vector Foam::implicitMomentum::missing
+(
+    const cellSource& source,
+    const vectorField& stress
+) const
 {
-    return
+    vector owed
+    (
         source.later
-      + source.slope*(fluid_.U()[source.cell] - source.U0)*dt_;
+      + source.slope*(fluid_.U()[source.cell] - source.U0)*dt_
+    );
+    if (source.felt.volume > 0)
+    {
+        owed += source.felt.volume*dt_*(stress[source.cell] - source.felt.density);
+    }
+    return owed;
 }
 
 
@@ -54,7 +75,7 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
     {
         if (owed_[celli] != vector::zero)
         {
-            sources_.append(cellSource{celli, Zero, Zero, 0, Zero});
+            sources_.append(cellSource{celli, Zero, Zero, 0, Zero, 1, unfelt});
         }
     }
 }
@@ -62,7 +83,7 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::implicitMomentum::close()
+Foam::vector Foam::implicitMomentum::close(const vectorField& stress)
 {
     vector received(Zero);
 
@@ -72,8 +93,9 @@ Foam::vector Foam::implicitMomentum::close()
         for (const cellSource& source : sources_)
         {
             vector& owed = owed_[source.cell];
-            owed = missing(source);
+            owed = missing(source, stress);
             received += source.wanted + source.later - owed;
+            received -= source.felt.volume*dt_*source.felt.density;
         }
     }
     return received;
@@ -96,6 +118,7 @@ void Foam::implicitMomentum::set
     const labelUList& cells,
     const vectorField& impulse,
     const scalarField& slope,
+    const stressList& stress,
     const scalar dt
 )
 {
@@ -115,15 +138,18 @@ void Foam::implicitMomentum::set
     forAll(cells, i)
     {
         const label celli = cells[i];
+        const scalar e = fluid_.equationVoidFraction(celli);
         const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
-        const vector now(owed_[celli]/(1 + kappa));
+        const vector now(e*owed_[celli]/(1 + kappa));
+        const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
         number_[celli] = i;
         sources_.append
         (
             cellSource
             {
-                celli, now - impulse[i], owed_[celli] - now, slope[i], U[celli]
+                celli, now - impulse[i] + felt.volume*dt*felt.density, owed_[celli] - now, slope[i],
+                U[celli], e, felt
             }
         );
     }
@@ -135,7 +161,7 @@ void Foam::implicitMomentum::set
         {
             sources_.append
             (
-                cellSource{celli, owed_[celli], Zero, 0, U[celli]}
+                cellSource{celli, owed_[celli], Zero, 0, U[celli], 1, unfelt}
             );
         }
     }
@@ -153,14 +179,14 @@ void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
     vectorField& rhs = eqn.source();
     for (const cellSource& source : sources_)
     {
-        const scalar rho = fluid_.equationDensity(source.cell);
+        const scalar rho = fluid_.equationDensity(source.cell)*source.e;
         diag[source.cell] -= source.slope/rho;
         rhs[source.cell] -= (source.wanted/dt_ + source.slope*source.U0)/rho;
     }
 }
 
 
-void Foam::implicitMomentum::write() const
+void Foam::implicitMomentum::write(const vectorField& stress) const
 {
     volVectorField::Internal owed
     (
@@ -179,7 +205,7 @@ void Foam::implicitMomentum::write() const
     {
         for (const cellSource& source : sources_)
         {
-            owed[source.cell] = missing(source);
+            owed[source.cell] = missing(source, stress);
         }
     }
     owed.write();

@@ -364,7 +364,7 @@ Foam::tmp<Foam::volVectorField> Foam::incompressibleFluid::divTau() const
 {
     const tmp<volScalarField> tnu(nu());
     const word scheme("laplacian(" + tnu().name() + ',' + UName_ + ')');
-    return rho_*fvc::laplacian(tnu(), U(), scheme);
+    return rho_*fvc::laplacian(tnu(), velocity(), scheme);
 }
 
 

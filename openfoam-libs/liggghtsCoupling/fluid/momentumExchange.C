@@ -7,6 +7,7 @@
 #include "momentumExchange.H"
 #include "couplingEntries.H"
 #include "fvMatrices.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -31,7 +32,8 @@ void Foam::momentumExchange::deposit
             scalar slope = 0;
             if (twoWay_ && r.dragCoefficient > 0)
             {
-                const scalar response = -std::expm1(-r.allCoefficients*dt/mass);
+                const scalar response =
+                    -std::expm1(-r.allCoefficients/r.voidFraction*dt/mass);
                 slope =
                     r.dragCoefficient/r.allCoefficients*(mass/dt*response)
                   - r.addedMass/dt*response;
@@ -60,6 +62,7 @@ Foam::momentumExchange::momentumExchange
 :
     twoWay_(couplingEntries::twoWay(dict)),
     setI_(couplingEntries::setI(dict)),
+    full_(voidFractionEquations::full(dict)),
     momentum_(grainMomentum::New(dict, fluid)),
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_
@@ -84,7 +87,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     ownedGrains& grains,
     const grainForces& forces,
     const UList<grainForces::record>& records,
-    cellAverages& averages
+    cellAverages& averages,
+    const vectorField& stress
 )
 {
     const fvMesh& mesh = dragCoefficient_.mesh();
@@ -111,13 +115,24 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     deposit(grains, records, averages, dt);
 
     const labelUList& cells = averages.cells().cells();
+    felt_.clear();
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
     forAll(cells, i)
     {
         const label celli = cells[i];
         exchanged& e = exchanged_[i];
-        if (!setI_)
+        if (full_ && setI_)
+        {
+            felt_.append
+            (
+                grainMomentum::feltStress
+                {
+                    (1 - averages.voidFraction()[celli])*V[celli], stress[celli]
+                }
+            );
+        }
+        else if (!full_ && !setI_)
         {
             e.impulse += dt*averages.solidVolume(i)*forces.stressDensity(celli);
         }
@@ -131,7 +146,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
     if (twoWay_)
     {
-        momentum_->set(cells, impulse, slope, dt);
+        momentum_->set(cells, impulse, slope, felt_, dt);
     }
     return received;
 }

@@ -11,7 +11,6 @@ Description
 #include "fluidQuantity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "turbulenceModel.H"
-#include "fvcCurl.H"
 #include "wallDist.H"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
@@ -100,7 +99,7 @@ struct velocityQuantity
     }
     virtual tmp<volVectorField> vectorField() const
     {
-        return fluid_.U();
+        return fluid_.velocity();
     }
 };
 
@@ -165,7 +164,7 @@ struct pressureGradientQuantity
 
     virtual tmp<volVectorField> vectorField() const
     {
-        return fluid_.gradP();
+        return fluid_.feltGradP();
     }
 };
 
@@ -179,7 +178,7 @@ struct viscousStressQuantity
 
     virtual tmp<volVectorField> vectorField() const
     {
-        return fluid_.divTau();
+        return fluid_.feltDivTau();
     }
 };
 
@@ -193,7 +192,8 @@ struct vorticityQuantity
 
     virtual tmp<volVectorField> vectorField() const
     {
-        return fvc::curl(fluid_.U());
+        // As fvc::curl does it
+        return 2.0*(*skew(fluid_.gradVelocity("curl")));
     }
 };
 

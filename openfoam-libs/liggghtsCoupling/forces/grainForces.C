@@ -8,6 +8,7 @@
 #include "cellSampler.H"
 #include "couplingEntries.H"
 #include "selfDisturbance.H"
+#include "voidFractionEquations.H"
 
 #include <algorithm>
 #include <limits>
@@ -135,6 +136,23 @@ void Foam::grainForces::fill
 }
 
 
+void Foam::grainForces::letFluidChange(grainBatch& batch) const
+{
+    const grainBatch::lane& e = *batch.fluid(voidFraction_);
+
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        batch.Sp[i] /= e[i];
+        batch.nonReactingSp[i] /= e[i];
+        for (direction k = 0; k < 3; ++k)
+        {
+            const scalar v = batch.velocity[k][i];
+            batch.fluidVelocity[k][i] = v + e[i]*(batch.fluidVelocity[k][i] - v);
+        }
+    }
+}
+
+
 void Foam::grainForces::setActions
 (
     grainBatch& batch,
@@ -195,10 +213,15 @@ Foam::grainForces::grainForces
         fluid,
         quantities_,
         couplingEntries::setI(dict)
-    )
+    ),
+    voidFraction_(-1)
 {
     needs_.begin("coupling", dict);
     U_ = needs_.quantity("U");
+    if (voidFractionEquations::full(dict))
+    {
+        voidFraction_ = needs_.quantity("voidFraction");
+    }
 
     couplingEntries::onMaster([&](){ checkEntries(dict); });
     for (const Tuple2<word, dictionary>& model : readModels(dict))
@@ -290,7 +313,6 @@ Foam::scalar Foam::grainForces::act
             dispersion_->remember(batch);
         }
         checkCoefficients(batch);
-        setActions(batch, grains, first);
 
         for (label i = 0; i < batch.n; ++i)
         {
@@ -298,7 +320,8 @@ Foam::scalar Foam::grainForces::act
             records[g] = record
             {
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i],
-                batch.addedMass[i]
+                batch.addedMass[i],
+                voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i]
             };
 
             slipSum += mag
@@ -306,6 +329,12 @@ Foam::scalar Foam::grainForces::act
                 grainBatch::get(batch.fluidVelocity, i) - grainBatch::get(batch.velocity, i)
             );
         }
+
+        if (voidFraction_ >= 0)
+        {
+            letFluidChange(batch);
+        }
+        setActions(batch, grains, first);
     }
     checkRequested(batch);
     grains.send();

@@ -87,7 +87,7 @@ void Foam::wallLawSampler::choose(const sampledFields& fields)
     {
         if (field.vector)
         {
-            U_ = (field.vector == &fluid_.U() ? field.lane : U_);
+            U_ = (field.vector == &fluid_.velocity() ? field.lane : U_);
             continue;
         }
         const word& quantity = field.scalar->name();

@@ -18,20 +18,20 @@ FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient"
 
 class Restart(grainjet.Case):
 
-    def write(self, name, steps):
-        folder = self.folder / name
+    def write(self, name, steps, equations="neglected"):
+        folder = self.folder / f"{name}_{equations}"
         box.write(folder, steps=steps, write_every=20)
         # large grains in a crowd: there are contacts when the run stops
         x, v = swarm(300, 5, high=(0.02, 0.02, 0.02))
         box.script(folder, grains=box.grains(x, v, 1e-3), end=DUMP,
                    plugins="plugin load hertzcgplugin.so",
                    fixes="fix contacts all hertz/cg tangential history rolling off")
-        box.fv_options(folder, interpolation="cell")
+        box.fv_options(folder, interpolation="cell", voidFraction=box.void_fraction(equations))
         return folder
 
-    def interrupted(self, ranks=0):
+    def interrupted(self, ranks=0, equations="neglected"):
         """40 steps in one run, and in two runs of 20."""
-        whole, parts = self.write("whole", 40), self.write("parts", 20)
+        whole, parts = self.write("whole", 40, equations), self.write("parts", 20, equations)
         for folder in (whole, parts):
             self.foam("blockMesh", folder)
             if ranks:
@@ -48,19 +48,21 @@ class Restart(grainjet.Case):
 
     def test_serial_bit_for_bit(self):
         """Fields and grains, with contacts open at the time of the restart."""
-        whole, parts = self.interrupted()
-        contacts = box.read_balance(whole)["contacts"]
-        self.assertGreater(contacts[19], 0)
-        for field in FIELDS:
-            a, b = ((f / "0.004" / field).read_bytes() for f in (whole, parts))
-            self.assertEqual(a, b, field)
-        a, b = (dumps.last(f / "grains.400.dump") for f in (whole, parts))
-        self.assertEqual(a, b)
+        for equations, more in (("neglected", ()), ("full", ("fluidVelocity", "solidsFlux"))):
+            with self.subTest(equations=equations):
+                whole, parts = self.interrupted(equations=equations)
+                contacts = box.read_balance(whole)["contacts"]
+                self.assertGreater(contacts[19], 0)
+                for field in (*FIELDS, *more):
+                    a, b = ((f / "0.004" / field).read_bytes() for f in (whole, parts))
+                    self.assertEqual(a, b, field)
+                a, b = (dumps.last(f / "grains.400.dump") for f in (whole, parts))
+                self.assertEqual(a, b)
 
     def test_parallel(self):
         """2 ranks: LIGGGHTS may order its grains differently after a restart, and sums in
         cells follow that order: round-off, 1e-12 relative."""
-        whole, parts = self.interrupted(2)
+        whole, parts = self.interrupted(2, "full")
         for folder in (whole, parts):
             self.foam("reconstructPar", folder)
         for field in ("U", "voidFraction", "particleMomentumSource"):

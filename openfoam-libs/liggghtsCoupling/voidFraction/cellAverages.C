@@ -5,6 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellAverages.H"
+#include "fixedValueFvPatchFields.H"
+#include "voidFractionEquations.H"
+#include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -32,8 +35,87 @@ const fvMesh& fvMeshOf(const cellLocator& locator)
     return refCast<const fvMesh>(locator.mesh());
 }
 
+
+// The full equations continue with the void fraction of the latest step
+IOobject voidFractionHeader(const dictionary& dict, const cellLocator& locator)
+{
+    IOobject header(cellAverages::writtenField("voidFraction", locator.mesh()));
+    if (voidFractionEquations::full(dict))
+    {
+        const Time& time = locator.mesh().time();
+        header.instance() = time.timeName(time.startTime().value());
+        header.readOpt() = IOobject::READ_IF_PRESENT;
+    }
+    return header;
+}
+
 } // End anonymous namespace
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cellAverages::makeSolidsFlux()
+{
+    const fvMesh& mesh = voidFraction_.mesh();
+    const Time& time = mesh.time();
+
+    // No grain goes through a wall
+    wordList types(mesh.boundary().size(), zeroGradientFvPatchVectorField::typeName);
+    forAll(types, patchi)
+    {
+        if (isA<wallPolyPatch>(mesh.boundaryMesh()[patchi]))
+        {
+            types[patchi] = fixedValueFvPatchVectorField::typeName;
+        }
+    }
+
+    IOobject header
+    (
+        "solidsFlux",
+        time.timeName(time.startTime().value()),
+        mesh,
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
+    continues_ = header.typeHeaderOk<volVectorField>(true);
+    solidsFlux_.reset
+    (
+        new volVectorField(header, mesh, dimensionedVector(dimVelocity, Zero), types)
+    );
+    solidsFlux_->oldTime();
+    voidFraction_.oldTime();
+}
+
+
+void Foam::cellAverages::setSolidsFlux()
+{
+    volVectorField& q = *solidsFlux_;
+    vectorField& flux = q.primitiveFieldRef();
+    if (first_)
+    {
+        flux = Zero;
+    }
+    for (const label celli : occupied_.previous())
+    {
+        flux[celli] = Zero;
+    }
+    forAll(contents_, i)
+    {
+        const label celli = occupied_.cells()[i];
+        const content& c = contents_[i];
+        flux[celli] = (1 - voidFraction_[celli])*(c.flux/c.volume);
+    }
+    q.correctBoundaryConditions();
+    q.instance() = q.time().timeName();
+
+    // In its first step a new run knows no flux of a step before
+    if (first_ && !continues_)
+    {
+        q.oldTime() == q;
+        voidFraction_.oldTime() == voidFraction_;
+    }
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -49,7 +131,7 @@ Foam::cellAverages::cellAverages
     occupied_(locator.mesh().nCells()),
     voidFraction_
     (
-        writtenField("voidFraction", locator.mesh()),
+        voidFractionHeader(dict, locator),
         fvMeshOf(locator),
         dimensionedScalar("voidFraction", dimless, scalar(1)),
         zeroGradientFvPatchScalarField::typeName
@@ -59,8 +141,15 @@ Foam::cellAverages::cellAverages
         writtenField("particleVelocity", locator.mesh()),
         fvMeshOf(locator),
         dimensionedVector(dimVelocity, Zero)
-    )
-{}
+    ),
+    first_(true),
+    continues_(false)
+{
+    if (voidFractionEquations::full(dict))
+    {
+        makeSolidsFlux();
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
@@ -88,7 +177,10 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
 {
     const auto contentOf = [](const grainData& grain)
     {
-        return content{grain.volume(), grain.mass, grain.mass*grain.velocity};
+        return content
+        {
+            grain.volume(), grain.mass, grain.mass*grain.velocity, grain.volume()*grain.velocity
+        };
     };
     const auto add =
         [&](const label celli, const scalar fraction, const content& c)
@@ -97,6 +189,7 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
             sum.volume += fraction*c.volume;
             sum.mass += fraction*c.mass;
             sum.momentum += fraction*c.momentum;
+            sum.flux += fraction*c.flux;
         };
 
     occupied_.clear();
@@ -129,6 +222,11 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
 
     scalarField& eps = voidFraction_.primitiveFieldRef();
     vectorField& velocity = particleVelocity_.primitiveFieldRef();
+    if (first_)
+    {
+        // What was read is that of the run before
+        eps = 1;
+    }
     for (const label celli : occupied_.previous())
     {
         eps[celli] = 1;
@@ -150,6 +248,11 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
         result.maxSolidFraction = max(result.maxSolidFraction, solid);
     }
     voidFraction_.correctBoundaryConditions();
+    if (solidsFlux_)
+    {
+        setSolidsFlux();
+    }
+    first_ = false;
     return result;
 }
 

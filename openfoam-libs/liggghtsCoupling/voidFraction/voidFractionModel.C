@@ -33,6 +33,12 @@ Foam::knownEntries::table withCommon(const Foam::knownEntries::table& entries)
         knownEntries::rule(knownEntries::valueType::FRACTION)
        .means("lower limit of the void fraction").like("0.3")
     );
+    known.insert
+    (
+        "equations",
+        knownEntries::rule(Foam::wordList({"full", "neglected"}))
+       .means("the void fraction in the fluid's equations").like("full")
+    );
     return known;
 }
 

@@ -79,14 +79,20 @@ def script(folder, *, grains, dt=1e-5, gravity="", fixes="", plugins="", process
         boundary=boundary, end=end))
 
 
+def void_fraction(equations, model="divided", minimum=0.3):
+    """The entry voidFraction of the coupling."""
+    return f"{{ model {model}; minimum {minimum}; equations {equations}; }}"
+
+
 def fv_options(folder, text="", **entries):
-    """Write constant/fvOptions; entries replace the defaults, None removes one."""
+    """Write constant/fvOptions; entries replace the defaults, None removes one. The solver's equations are
+    without void fraction, unless an entry says otherwise."""
     values = {
         "type": "liggghtsCoupling",
         "script": '"constant/in.particles"',
         "couplingInterval": "10",
         "coupling": "twoWay",
-        "voidFraction": "{ model divided; minimum 0.3; }",
+        "voidFraction": void_fraction("neglected"),
         "drag": "Gidaspow",
         "forces": "(pressureGradient viscous)",
         "interpolation": "cellPoint",

@@ -1,0 +1,396 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "voidFractionEquations.H"
+#include "calculatedFvPatchFields.H"
+#include "convectionScheme.H"
+#include "couplingEntries.H"
+#include "ddtScheme.H"
+#include "fvcDiv.H"
+#include "fvcLaplacian.H"
+#include "fvcSurfaceIntegrate.H"
+#include "fvmDdt.H"
+#include "fvmDiv.H"
+#include "fvmLaplacian.H"
+#include "fvMatrices.H"
+#include "gradScheme.H"
+#include "linear.H"
+#include "turbulenceModel.H"
+#include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+bool hasPressureGradient(const dictionary& dict)
+{
+    const word name("pressureGradient");
+    return
+        dict.isDict("forces")
+      ? dict.subDict("forces").found(name)
+      : dict.lookupOrDefault<wordList>("forces", wordList()).found(name);
+}
+
+
+// A field that is written with those of the solver, and read by a continued run
+IOobject continuedHeader(const word& name, const carrierFluid& fluid)
+{
+    const Time& time = fluid.mesh().time();
+    return IOobject
+    (
+        name,
+        time.timeName(time.startTime().value()),
+        fluid.mesh(),
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
+{
+    const volVectorField& U = fluid_.U();
+    u.primitiveFieldRef() =
+        (U.primitiveField() - solidsFlux_.primitiveField())/voidFraction_.primitiveField();
+
+    forAll(u.boundaryFieldRef(), patchi)
+    {
+        fvPatchVectorField& ub = u.boundaryFieldRef()[patchi];
+        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+        if (ub.type() != calculatedFvPatchVectorField::typeName)
+        {
+            continue;
+        }
+
+        // The fluid between the grains has the velocity of the wall there
+        ub =
+            isA<wallFvPatch>(Ub.patch())
+          ? vectorField(Ub)
+          : vectorField
+            (
+                (Ub - solidsFlux_.boundaryField()[patchi])
+               /voidFraction_.boundaryField()[patchi]
+            );
+    }
+    u.correctBoundaryConditions();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::voidFractionEquations::fluxOfFluid() const
+{
+    const fvMesh& mesh = fluid_.mesh();
+    return tmp<surfaceScalarField>::New
+    (
+        "phiFluid",
+        (fluid_.phi() - (linearInterpolate(solidsFlux_) & mesh.Sf()))
+       /linearInterpolate(voidFraction_)
+    );
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
+(
+    const volVectorField& velocity
+) const
+{
+    const word& name = fluid_.UName();
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const tmp<volTensorField> tgradient
+    (
+        // Not from the cache, where the gradient of U has this name
+        fv::gradScheme<vector>::New
+        (
+            fluid_.mesh(), fluid_.mesh().gradScheme("grad(" + name + ')')
+        )().calcGrad(velocity, "grad(" + velocity.name() + ')')
+    );
+    return
+        fvc::laplacian(tnuEff(), velocity, "laplacian(nuEff," + name + ')')
+      + fvc::div
+        (
+            tnuEff()*dev2(T(tgradient)),
+            "div((nuEff*dev2(T(grad(" + name + ")))))"
+        );
+}
+
+
+void Foam::voidFractionEquations::update()
+{
+    setFluidVelocity(fluidVelocity_);
+}
+
+
+void Foam::voidFractionEquations::follow
+(
+    volVectorField& felt,
+    const volVectorField& present
+) const
+{
+    const scalarField& e = voidFraction_.primitiveField();
+    felt.primitiveFieldRef() =
+        hasFelt_
+      ? tmp<vectorField>(e*present.primitiveField() + (1 - e)*felt.primitiveField())
+      : tmp<vectorField>(present.primitiveField());
+    felt.correctBoundaryConditions();
+    felt.instance() = felt.time().timeName();
+}
+
+
+void Foam::voidFractionEquations::smooth()
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const scalarField& V = mesh.V();
+    const scalar dt = dt_ = mesh.time().deltaTValue();
+    const tmp<volScalarField> trho(fluid_.rho());
+    const scalarField& rho = trho().primitiveField();
+
+    const surfaceScalarField flux(linearInterpolate(solidsFlux_) & mesh.Sf());
+    const tmp<volScalarField> trate
+    (
+        fv::ddtScheme<scalar>::New
+        (
+            mesh, mesh.ddtScheme("ddt(" + fluid_.UName() + ')')
+        ).ref().fvcDdt(voidFraction_)
+      - fvc::surfaceIntegrate(flux)
+    );
+    const tmp<volScalarField> tpassages(0.5*fvc::surfaceSum(mag(fluid_.phi())));
+
+    forAll(smoothing_, celli)
+    {
+        const vector kick
+        (
+            rho[celli]*V[celli]*trate()[celli]*fluidVelocity_[celli]
+        );
+        vector& unpaid = unpaid_[celli];
+        unpaid -= dt*kick;
+
+        const scalar share =
+            -std::expm1(-0.01*tpassages()[celli]*dt/V[celli]);
+        smoothing_[celli] = kick + share*unpaid/dt;
+        unpaid -= share*unpaid;
+    }
+    unpaid_.instance() = mesh.time().timeName();
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
+{
+    const tmp<volScalarField> trho(fluid_.rho());
+    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
+    const tmp<volVectorField> tgradP(fluid_.gradP());
+    return trho().primitiveField()*tviscous().primitiveField() - tgradP().primitiveField();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionEquations::voidFractionEquations
+(
+    carrierFluid& fluid,
+    const volScalarField& voidFraction,
+    const volVectorField& solidsFlux
+)
+:
+    fluid_(fluid),
+    voidFraction_(voidFraction),
+    solidsFlux_(solidsFlux),
+    fluidVelocity_
+    (
+        IOobject
+        (
+            "fluidVelocity",
+            fluid.mesh().time().timeName(),
+            fluid.mesh()
+        ),
+        fluid.mesh(),
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    feltGradP_
+    (
+        continuedHeader("feltPressureGradient", fluid),
+        fluid.mesh(),
+        dimensionedVector(dimPressure/dimLength, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    feltDivTau_
+    (
+        continuedHeader("feltViscousStress", fluid),
+        fluid.mesh(),
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    hasFelt_
+    (
+        continuedHeader("feltPressureGradient", fluid).typeHeaderOk<volVectorField>(true)
+    ),
+    stress_(fluid.mesh().nCells(), Zero),
+    unpaid_
+    (
+        continuedHeader("momentumOfShares", fluid),
+        fluid.mesh(),
+        dimensionedVector(dimForce*dimTime, Zero)
+    ),
+    smoothing_(fluid.mesh().nCells(), Zero),
+    dt_(0)
+{
+    fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+bool Foam::voidFractionEquations::full(const dictionary& dict)
+{
+    return
+        dict.subOrEmptyDict("voidFraction").lookupOrDefault<word>("equations", "neglected")
+     == "full";
+}
+
+
+void Foam::voidFractionEquations::checkEntries(const dictionary& dict)
+{
+    if (!full(dict))
+    {
+        return;
+    }
+
+    const dictionary& voidFraction = dict.subDict("voidFraction");
+    if (!couplingEntries::twoWay(dict))
+    {
+        FatalIOErrorInEntry(voidFraction, "equations")
+            << "equations full and coupling oneWay: the void fraction changes the flow, while"
+            << " oneWay leaves it as it is without grains. Set coupling twoWay, or equations"
+            << " neglected" << exit(FatalIOError);
+    }
+    if (!hasPressureGradient(dict))
+    {
+        FatalIOErrorInEntry(voidFraction, "equations")
+            << "equations full: the pressure of the fluid acts on fluid and grains alike, but"
+            << " pressureGradient is not among the forces. Add it, as in\n"
+            << "    forces (pressureGradient viscous);\n"
+            << "or set equations neglected" << exit(FatalIOError);
+    }
+    if (dict.lookupOrDefault<word>("momentum", "implicit") != "implicit")
+    {
+        FatalIOErrorInEntry(voidFraction, "equations")
+            << "equations full needs momentum implicit, since dense beds have no explicit step"
+            << " that is stable" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionEquations::closeStep()
+{
+    update();
+    stress_ = presentStress();
+    follow(feltGradP_, fluid_.gradP());
+    follow(feltDivTau_, fluid_.divTau());
+    hasFelt_ = true;
+}
+
+
+void Foam::voidFractionEquations::beginStep()
+{
+    update();
+    smooth();
+}
+
+
+Foam::vector Foam::voidFractionEquations::received() const
+{
+    return sum(smoothing_)*dt_;
+}
+
+
+Foam::vector Foam::voidFractionEquations::owed() const
+{
+    return sum(unpaid_.field());
+}
+
+
+void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const volVectorField& U = fluid_.U();
+    const surfaceScalarField& phi = fluid_.phi();
+    const word& name = fluid_.UName();
+
+    const tmp<surfaceScalarField> tfluid(fluxOfFluid());
+    const surfaceScalarField& fluidFlux = tfluid();
+    const volScalarField::Internal share(1/voidFraction_.internalField());
+
+    // The solver's inertia out, that of the fluid between the grains in
+    eqn += fvm::ddt(U);
+    eqn += fvm::div(phi, U);
+
+    fvMatrix<vector> own(fvm::ddt(U));
+    own += fvm::div(fluidFlux, U, "div(" + phi.name() + ',' + name + ')');
+    own *= share;
+    eqn -= own;
+
+    const tmp<volVectorField> inertiaOfSolids
+    (
+        fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme("ddt(" + name + ')')).ref().fvcDdt
+        (
+            solidsFlux_
+        )
+      + fvc::surfaceIntegrate(fluidFlux*linearInterpolate(solidsFlux_))
+    );
+    eqn += share*inertiaOfSolids().internalField();
+
+    volVectorField difference("velocityDifference", fluidVelocity_);
+    setFluidVelocity(difference);
+    difference -= U;
+    const tmp<volVectorField> tviscous(viscousStress(difference));
+    eqn += tviscous().internalField();
+
+    // Of the present U so far. What the new one adds to it is implicit, or large viscosities would not be
+    // stable: u - U is about (1/e - 1) U
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const fvMatrix<vector> change
+    (
+        fvm::laplacian
+        (
+            linearInterpolate(tnuEff*(1/voidFraction_ - 1)),
+            U,
+            "laplacian(nuEff," + name + ')'
+        )
+    );
+    eqn += change;
+    eqn -= (change & U)().internalField();
+
+    vectorField& source = eqn.source();
+    forAll(source, celli)
+    {
+        source[celli] -=
+            smoothing_[celli]/(fluid_.equationDensity(celli)*voidFraction_[celli]);
+    }
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::write()
+{
+    // What function objects see does not depend on the steps that are written
+    const volVectorField ofBeginning(fluidVelocity_);
+    update();
+    fluidVelocity_.instance() = fluid_.mesh().time().timeName();
+    fluidVelocity_.write();
+    tmp<vectorField> tstress(presentStress());
+    fluidVelocity_ == ofBeginning;
+    return tstress;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,136 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The full void-fraction equations: momentum of fluid and grains together, a uniform motion, a plug of grains that moves
+through fluid at rest, stiff drag, restart, ranks, and what is refused. For fixed beds see case_fixed_bed.py."""
+# processors: 4
+# label: long
+
+import math
+import random
+import re
+import unittest
+
+import numpy
+
+import grainjet
+from grainjet import coupled_box as box, dictionaries
+
+FULL = box.void_fraction("full")
+CELL_VOLUME = 0.002 ** 3            # of the box of 10 x 10 x 20 cells
+CONVERGED = "nOuterCorrectors 30; nCorrectors 2;"
+
+
+def crowd(n=5000, seed=3, height=0.02):
+    """Grains of 1 mm that overlap as they please, without contacts: up to the least void fraction."""
+    rng = random.Random(seed)
+    x = [[rng.uniform(0, a) for a in (0.02, 0.02, height)] for _ in range(n)]
+    v = [[rng.gauss(mean, 0.2) for mean in (0, 0, 0.5)] for _ in range(n)]
+    return x, v
+
+
+def values(path):
+    """A field of the cells as an array, also one without boundary."""
+    text = path.read_text()
+    found = text[re.search(r"\b(internalField|value)\s", text).start():]
+    if "nonuniform" not in found[:40]:
+        return numpy.zeros((1, 3))
+    rows = re.findall(r"^\(([^()\n]+)\)$", found, re.M)
+    return numpy.array([[float(c) for c in row.split()] for row in rows])
+
+
+class FullEquations(box.CoupledCase):
+
+    def of_fluid(self, folder, rho):
+        """Momentum of the fluid between the grains, rho (U - q) V, with what it is still owed, in N s."""
+        sums = values(folder / "U").sum(0) - values(folder / "solidsFlux").sum(0)
+        debts = (values(folder / name).sum(0) for name in ("particleMomentumOwed", "momentumOfShares"))
+        return rho * CELL_VOLUME * sums + sum(debts)
+
+    def test_momentum(self):
+        """In a periodic box without gravity what the grains gain, from their velocities, is what the fluid between
+        them loses, void fractions down to the minimum of 0.3. To the tolerance of the solvers."""
+        for rho, forces in ((1.2, "(pressureGradient viscous)"), (1000.0, "(pressureGradient)")):
+            with self.subTest(rho=rho, forces=forces):
+                x, v = crowd()
+                folder = self.run_box(
+                    steps=12, write_every=4, grains=(x, v), diameter=1e-3, nu=1e-5, correctors=CONVERGED,
+                    rho=f"rho [1 -3 0 0 0 0 0] {rho};", options={"forces": forces, "voidFraction": FULL})
+                times = sorted(folder.glob("*/solidsFlux"), key=lambda path: float(path.parent.name))
+                first, last = (self.of_fluid(path.parent, rho) for path in (times[0], times[-1]))
+                table = box.read_balance(folder)
+                steps = slice(4, 12)
+                gained = numpy.array([sum(table[f"toGrains_{c}"][steps]) for c in "xyz"])
+                passed = sum(abs(p) for p in table["toGrains_z"][steps])
+                print(f"rho {rho}: {abs(last - first + gained).max() / passed:.1e} of what was exchanged")
+                self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
+                self.assertGreater(abs(last - first).max(), 0.1 * passed)
+                self.assertLess(min(dictionaries.internal(times[-1].parent / "voidFraction")), 0.31)
+
+    def test_ranks(self):
+        """1, 2 and 4 ranks: the same but for the order of sums and the tolerance of the solvers. Half of the box is
+        empty, so that ranks without grains are among them."""
+        x, v = crowd(1500, height=0.019)
+        runs = [self.run_box(ranks, steps=6, grains=(x, v), diameter=1e-3, ranks_in_case=max(ranks, 1),
+                             decomposition=f"(1 1 {max(ranks, 1)})", options={"voidFraction": FULL})
+                for ranks in (0, 2, 4)]
+        for run in runs[1:]:
+            self.compare(runs[0], run, "0.0006", 1e-9)
+
+    def test_without_grains(self):
+        """Without a grain the fields are bit for bit those of the solver alone."""
+        fluid = {"steps": 3, "velocity": "(0.1 0.2 0.3)", "walls": True}
+        alone = self.run_box(options=False, **fluid)
+        coupled = self.run_box(grains=([], []), boundary="f f f", options={"voidFraction": FULL}, **fluid)
+        for field in ("U", "p", "phi"):
+            a, b = ((f / "0.0003" / field).read_bytes() for f in (alone, coupled))
+            self.assertEqual(a, b, field)
+
+    def test_uniform_motion(self):
+        """Fluid and grains that move alike keep moving alike, whatever the void fraction, and the pressure stays zero:
+        no force acts. To the tolerance of the solvers."""
+        x, _ = crowd(3000, height=0.04)
+        folder = self.run_box(steps=20, grains=(x, [(0, 0, 0.5)] * len(x)), diameter=1e-3, rho="rho [1 -3 0 0 0 0 0] 1000;",
+                              velocity="(0 0 0.5)", nu=1e-6, options={"voidFraction": FULL})
+        speeds = values(folder / "0.002/fluidVelocity") - [0, 0, 0.5]
+        pressure = numpy.array(dictionaries.internal(folder / "0.002/p"))
+        print(f"velocity off by {abs(speeds).max() / 0.5:.1e} U, pressure {abs(pressure).max() / 0.25:.1e} rho U^2")
+        self.assertLess(abs(speeds).max(), 1e-9 * 0.5)
+        self.assertLess(abs(pressure).max(), 1e-9 * 0.25)
+        self.assertGreater(abs(values(folder / "0.002/solidsFlux")).max(), 0.1)
+
+    def test_stiff_drag(self):
+        """Grains of 20 um that fill 30 % of the fluid (water, drag coefficient times step over density up to 1e6)
+        stop each other: no velocity grows, and both have the mean velocity in the end."""
+        rng = random.Random(1)
+        n = 4000
+        x = [[rng.uniform(0, a) for a in (0.02, 0.02, 0.04)] for _ in range(n)]
+        v = [[0, 0, rng.choice((0, 1))] for _ in range(n)]
+        folder = self.run_box(steps=20, grains=(x, v), diameter=1.2e-3, density=8000.0, rho="rho [1 -3 0 0 0 0 0] 1000;",
+                              nu=1.0, options={"voidFraction": FULL, "drag": "Ergun"})
+        kappa = max(dictionaries.internal(folder / "0.002/dragCoefficient")) * 1e-4 / 1000
+        speeds = values(folder / "0.002/fluidVelocity")
+        print(f"drag coefficient x step / density {kappa:.1e}, velocity {speeds.min(0)} to {speeds.max(0)}")
+        self.assertGreater(kappa, 100)
+        self.assertLess(abs(speeds).max(), 2)
+
+    def test_refused(self):
+        """Before time is spent, with file, entry and remedy."""
+        for options, words in (
+                ({"voidFraction": box.void_fraction("fulll")}, ("equations fulll", "full or neglected")),
+                ({"voidFraction": FULL, "coupling": "oneWay"}, ("equations full and coupling oneWay", "neglected")),
+                ({"voidFraction": FULL, "forces": "(viscous)"}, ("equations full", "pressureGradient")),
+                ({"voidFraction": FULL, "momentum": "explicit"}, ("equations full", "momentum implicit"))):
+            with self.subTest(options=options):
+                folder = self.new_folder()
+                box.write(folder)
+                box.script(folder, grains=box.grains(*box.swarm(3, 1)))
+                box.fv_options(folder, **options)
+                self.foam("blockMesh", folder)
+                result = self.foam("pimpleFoam", folder, check=False)
+                self.assertFails(result, "fvOptions", *words)
+                self.assertNotRegex(result.output, box.SOLVED)
+
+
+if __name__ == "__main__":
+    unittest.main()
