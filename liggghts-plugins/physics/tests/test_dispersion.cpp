@@ -258,6 +258,23 @@ TEST(Langevin, WellMixed)
   }
 }
 
+// Beside fluid nearly at rest T rises a millionfold from cell to cell, so that its gradient says nothing of
+// the path in the interval. What it adds to the mean of xi stays below half of what is lost in the interval,
+// or the rms itself if the interval is long; without the limit it would be 1e5 times the rms here.
+TEST(Langevin, EdgeOfStillFluid)
+{
+  const double nothing[6] = {0, 0, 0, 0, 0, 0};
+  for (double ratio : {0.01, 0.1, 1.0, 10.0}) {
+    const SeenTurbulence seen = {S, {0, 0, 0}, T, {1e9 * T / S, 0, 0}};
+    double xi[3] = {0, 0, 0}, mean[3];
+    LangevinStep(seen, ratio * T, 0, NO_SLIP).advance(nothing, xi, mean);
+    const double largest = std::min(0.5 * ratio, 1.0);
+    EXPECT_GT(xi[0], 0);
+    EXPECT_LE(xi[0], largest) << ratio;
+    EXPECT_LE(mean[0], largest * S) << ratio;
+  }
+}
+
 // The path of a tracer is folded at the wall; a grain that does not get there sees nothing of it
 TEST(WallReflection, Folds)
 {

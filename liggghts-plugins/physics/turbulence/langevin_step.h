@@ -37,7 +37,9 @@ struct SeenTurbulence {
    the gradients, the mean path of tracers then gets, since xi and the place are correlated,
      - s at the middle of the path s X instead of at its start (LangevinStep),
      - the shift of xi and X by a gradient of T that is below.
-   With both, tracers stay evenly spread for any interval.                                 */
+   With both, tracers stay evenly spread for any interval. Neither is meant for a T that changes by more
+   than itself on the way of s in the interval, or in T if that is shorter: at the edge of fluid that is
+   nearly at rest T may rise a millionfold from one cell to the next. The gradient is limited to that.  */
 struct LangevinInterval {
   double kept;            // xi from xi
   double kick;            // xi from the first random number
@@ -102,9 +104,12 @@ public:
   void advance(const double *normals, double *xi, double *mean) const
   {
     const double s = seen_.speed;
+    const double steepness = s * std::sqrt(dot(seen_.time_gradient, seen_.time_gradient));
+    const double steepest = std::max(1.0, seen_.time / dt_);
+    const double limited = s * (steepness > steepest ? steepest / steepness : 1.0);
     double shift[3];
     for (int k = 0; k < 3; k++)
-      shift[k] = s * seen_.time_gradient[k];
+      shift[k] = limited * seen_.time_gradient[k];
 
     double end[3] = {0.0, 0.0, 0.0}, X[3] = {0.0, 0.0, 0.0}, followed[3] = {0.0, 0.0, 0.0};
     add(&LangevinInterval::kept, xi, 1.0, 1.0, end);

@@ -119,23 +119,32 @@ inline void Foam::wallLawSampler::apply
     grainBatch::lane* lanes
 ) const
 {
-    const scalar* r0 = rows_.data() + width*number;
-    const scalar* r1 = row(at.points[0], number);
-    const scalar* r2 = row(at.points[1], number);
-    const scalar* r3 = row(at.points[2], number);
-    scalar sum[width];
-    for (label k = 0; k < width; ++k)
+    const scalar* rows[4] = {rows_.data() + width*number};
+    for (label v = 1; v < 4; ++v)
     {
-        sum[k] = at.w[0]*r0[k] + at.w[1]*r1[k] + at.w[2]*r2[k] + at.w[3]*r3[k];
+        rows[v] = row(at.points[v - 1], number);
+    }
+    scalar sum[width];
+    for (label k = DISTANCE; k < width; ++k)
+    {
+        sum[k] = at.w[0]*rows[0][k] + at.w[1]*rows[1][k] + at.w[2]*rows[2][k] + at.w[3]*rows[3][k];
     }
 
     const scalar y = layer_.distance(number, grainBatch::get(grains.position, i), sum[DISTANCE]);
 
-    // Weights may be negative by round-off
-    const scalar F = length(y, max(sum[FRICTION], scalar(0)));
+    // Each with its own friction: a product of interpolated g and F is that of two walls where they differ
+    scalar U[3] = {0, 0, 0};
+    for (label v = 0; v < 4; ++v)
+    {
+        const scalar F = length(y, rows[v][FRICTION]);
+        for (label k = 0; k < 3; ++k)
+        {
+            U[k] += at.w[v]*(rows[v][LINEAR + k] + F*rows[v][OVER_LAW + k]);
+        }
+    }
     for (label k = 0; k < 3; ++k)
     {
-        lanes[U_ + k][i] = sum[LINEAR + k] + F*sum[OVER_LAW + k];
+        lanes[U_ + k][i] = U[k];
     }
     if (width > WIDTH_OF_VELOCITY)
     {

@@ -268,15 +268,31 @@ void Foam::wallLawSampler::setPoints
     const UList<wallFunctions::faceState>& cells
 )
 {
-    // Means of the cells: everything, and in the place of L the velocity of the wall
+    // Means of the cells: everything, and in the place of L the velocity of the wall. At points on the wall
+    // g is what the cells have with the wall of that point, which may move or rub in another way than theirs
     std::fill_n(pointRow(0), width_*layer_.points().size(), 0);
     List<scalar> row(width_);
     forAll(cells, number)
     {
+        const wallLayer::layerCell& cell = layer_.cell(number);
         std::copy_n(cellRow(number), width_, row.data());
-        setVector(cells[number].velocity, &row[LINEAR]);
         for (const wallLayer::share& s : layer_.sharesOfCell(number))
         {
+            if (layer_.points()[s.point].onWall)
+            {
+                row[FRICTION] = points[s.point].frictionOverNu;
+                divide
+                (
+                    vectorAt(values().inCell(cell.cell) + U_), points[s.point].velocity, cell.normal,
+                    row.data()
+                );
+            }
+            else
+            {
+                std::copy_n(cellRow(number), LINEAR, row.data());
+                row[FRICTION] = cellRow(number)[FRICTION];
+            }
+            setVector(cells[number].velocity, &row[LINEAR]);
             scalar* sum = pointRow(s.point);
             for (label k = 0; k < width_; ++k)
             {

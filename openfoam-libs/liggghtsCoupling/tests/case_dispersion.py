@@ -200,6 +200,22 @@ class Dispersion(grainjet.Case):
         for count in share:
             self.assertLess(abs(count - 0.1 * n), 4 * error)
 
+    def test_symmetry(self):
+        """Planes of symmetry mirror the fluctuation as walls do: the same grains bit for bit, with k and U of the cell and
+        walls of LIGGGHTS at both."""
+        found = []
+        for kind in ("wall", "symmetryPlane", "symmetry"):
+            folder = self.crowded(kind, k=K, interpolation="cell")
+            if kind != "wall":
+                dictionaries.change(folder / "system/blockMeshDict", *((f"{x} {{ type wall", f"{x} {{ type {kind}") for x in ("xlo", "xhi")))
+                for field in ("U", "p", "k", "epsilon", "nut"):
+                    text = (folder / "0" / field).read_text().rstrip().removesuffix("}")
+                    (folder / "0" / field).write_text(f'{text}"x.*" {{ type {kind}; }}\n}}\n')
+            self.run_case(folder)
+            found.append((folder / "grains.dump").read_text())
+        self.assertEqual(found[0], found[1])
+        self.assertEqual(found[0], found[2])
+
     def test_wall_functions(self):
         """Ten coarse cells between walls, k higher at the walls and as in the cell there, T of the logarithmic law:
         proportional to the distance. Light grains stay evenly spread over the cells, to the error of the sample (from 10 groups of grains)

@@ -109,6 +109,24 @@ class WallLaw(grainjet.Case):
         for place, u in zip(places, self.sample(folder, places)):
             self.assertClose(u, velocity(place), 2e-3 * law(CELL / 2), place)
 
+    def test_lid(self):
+        """A wall that moves along another one, over fluid at rest and over one that is sheared: velocity stays between that
+        of the walls and cells; 3 % are left to tetrahedra that have points on both walls."""
+        speed = 5.0
+        sides = {side: ("wall", side) for side in ("xlo", "xhi", "zlo", "zhi")}
+        rng = random.Random(6)
+        places = [[rng.uniform(1e-6, SIZE - 1e-6) for _ in range(2)] + [rng.uniform(1e-3, SIZE - 1e-3)] for _ in range(1000)]
+        places += [[1e-7, 0.2 * SIZE + 6e-3 * SIZE * i, 0.5 * SIZE] for i in range(100)]
+        for slope in (0, speed):
+            folder = self.case(lambda p: (0, 0, slope * (1 - p[0] / SIZE)), sides=sides, cells=f"{N} {N} {N}",
+                               epsilon=lambda p: 50.0, wall_velocity={"xlo": (0, 0, speed)})
+            rows = self.sample(folder, places, boundary="f f f")
+            for place, u in zip(places, rows):
+                self.assertGreaterEqual(u[2], -0.03 * speed, place)
+                self.assertLessEqual(u[2], 1.0001 * speed, place)
+            for u in rows[1000:]:
+                self.assertGreater(u[2], 0.99 * speed)
+
     def test_corner(self):
         """A square duct: in its corners the nearest wall counts, not the sum of both."""
         def distance(p):

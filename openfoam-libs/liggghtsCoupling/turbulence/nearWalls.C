@@ -6,29 +6,65 @@
 
 #include "nearWalls.H"
 #include "meshWavePatchDistMethod.H"
+#include "bitSet.H"
+#include "emptyPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
 #include "volFields.H"
 #include "wallPolyPatch.H"
+#include "wedgePolyPatch.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-Foam::nearWalls::nearWalls(const fvMesh& mesh)
+namespace Foam
 {
-    const labelHashSet patches
-    (
-        mesh.boundaryMesh().findPatchIDs<wallPolyPatch>()
-    );
+namespace
+{
 
+typedef nearWalls::plane plane;
+
+
+// Planes of all faces of patches in the cells beside them
+void addOwn
+(
+    const polyMesh& mesh,
+    const labelHashSet& patches,
+    List<DynamicList<plane>>& planes
+)
+{
+    for (const label patchi : patches)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        forAll(patch, i)
+        {
+            const vector n(normalised(patch.faceAreas()[i]));
+            planes[patch.faceCells()[i]].append(plane{n, n & patch.faceCentres()[i]});
+        }
+    }
+}
+
+
+// In cells without a face of the patches: the plane of the nearest one. Collective
+void addNearest
+(
+    const fvMesh& mesh,
+    const labelHashSet& patches,
+    List<DynamicList<plane>>& planes
+)
+{
+    bitSet beside(mesh.nCells());
     label nFaces = 0;
     for (const label patchi : patches)
     {
-        nFaces += mesh.boundary()[patchi].size();
+        const fvPatch& patch = mesh.boundary()[patchi];
+        nFaces += patch.size();
+        beside.set(patch.faceCells());
     }
     if (!returnReduce(nFaces, sumOp<label>()))
     {
         return;
     }
 
-    // Distance of each cell from the nearest wall face, and that face's normal
     const auto temporary = [&](const word& name)
     {
         return IOobject
@@ -50,29 +86,45 @@ Foam::nearWalls::nearWalls(const fvMesh& mesh)
     }
     patchDistMethods::meshWave(mesh, patches).correct(y, n);
 
-    // Wall faces of cells
-    List<DynamicList<plane>> own(mesh.nCells());
-    for (const label patchi : patches)
+    forAll(planes, celli)
     {
-        const fvPatch& patch = mesh.boundary()[patchi];
-        const vectorField nf(patch.nf());
-        forAll(nf, i)
+        if (!beside.test(celli) && magSqr(n[celli]) > 0.5)
         {
-            own[patch.faceCells()[i]].append(plane{nf[i], nf[i] & patch.Cf()[i]});
+            planes[celli].append(plane{n[celli], y[celli] + (n[celli] & mesh.C()[celli])});
         }
     }
+}
+
+} // End anonymous namespace
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::nearWalls::nearWalls(const fvMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const labelHashSet walls(patches.findPatchIDs<wallPolyPatch>());
+
+    labelHashSet symmetries(patches.findPatchIDs<symmetryPlanePolyPatch>());
+    symmetries |= patches.findPatchIDs<symmetryPolyPatch>();
+
+    // These have a face in each cell
+    labelHashSet sides(patches.findPatchIDs<wedgePolyPatch>());
+    sides |= patches.findPatchIDs<emptyPolyPatch>();
+
+    List<DynamicList<plane>> planes(mesh.nCells());
+    for (const labelHashSet& kind : {walls, symmetries, sides})
+    {
+        addOwn(mesh, kind, planes);
+    }
+    addNearest(mesh, walls, planes);
+    addNearest(mesh, symmetries, planes);
 
     first_.setSize(mesh.nCells() + 1, 0);
-    forAll(own, celli)
+    forAll(planes, celli)
     {
-        if (own[celli].size())
-        {
-            planes_.append(own[celli]);
-        }
-        else if (magSqr(n[celli]) > 0.5)
-        {
-            planes_.append(plane{n[celli], y[celli] + (n[celli] & mesh.C()[celli])});
-        }
+        planes_.append(planes[celli]);
         first_[celli + 1] = planes_.size();
     }
 }
