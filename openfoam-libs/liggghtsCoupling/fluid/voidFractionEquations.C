@@ -183,6 +183,41 @@ void Foam::voidFractionEquations::smooth()
 }
 
 
+Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChange() const
+{
+    const volVectorField& U = fluid_.U();
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    tmp<fvMatrix<vector>> tmatrix
+    (
+        fvm::laplacian(tnuEff(), U, "laplacian(nuEff," + fluid_.UName() + ')')
+    );
+    fvMatrix<vector>& matrix = tmatrix.ref();
+
+    // Acts on (1/e - 1) U: each coefficient belongs to the cell that it multiplies
+    const volScalarField factor(1/voidFraction_ - 1);
+    const lduAddressing& address = matrix.lduAddr();
+    scalarField& lower = matrix.lower();
+    scalarField& upper = matrix.upper();
+    forAll(upper, facei)
+    {
+        upper[facei] *= factor[address.upperAddr()[facei]];
+        lower[facei] *= factor[address.lowerAddr()[facei]];
+    }
+    matrix.diag() *= factor.primitiveField();
+    matrix.source() = Zero;
+    forAll(factor.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& patch = factor.boundaryField()[patchi];
+        matrix.internalCoeffs()[patchi] *= patch.patchInternalField();
+        if (patch.coupled())
+        {
+            matrix.boundaryCoeffs()[patchi] *= patch.patchNeighbourField();
+        }
+    }
+    return tmatrix;
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
 {
     const tmp<volScalarField> trho(fluid_.rho());
@@ -356,20 +391,10 @@ void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
     const tmp<volVectorField> tviscous(viscousStress(difference));
     eqn += tviscous().internalField();
 
-    // Of the present U so far. What the new one adds to it is implicit, or large viscosities would not be
-    // stable: u - U is about (1/e - 1) U
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
-    const fvMatrix<vector> change
-    (
-        fvm::laplacian
-        (
-            linearInterpolate(tnuEff*(1/voidFraction_ - 1)),
-            U,
-            "laplacian(nuEff," + name + ')'
-        )
-    );
-    eqn += change;
-    eqn -= (change & U)().internalField();
+    // Of the present U so far. What a new one adds is implicit, or large viscosities would not be stable
+    const tmp<fvMatrix<vector>> tchange(viscousChange());
+    eqn += tchange();
+    eqn -= (tchange() & U)().internalField();
 
     vectorField& source = eqn.source();
     forAll(source, celli)
