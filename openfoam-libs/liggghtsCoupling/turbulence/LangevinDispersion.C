@@ -55,6 +55,7 @@ void Foam::LangevinDispersion::ask(forceNeeds& needs)
     time_ = needs.quantity("turbulentTime");
     timeGradient_ = needs.quantity("gradTurbulentTime");
     response_ = needs.state("response", scalarList(3, Zero));
+    before_ = needs.state("before", scalarList(3, Zero));
 }
 
 
@@ -79,10 +80,12 @@ void Foam::LangevinDispersion::advance
         seen.time_gradient[k] = timeGradient[k][i]/Sct_;
     }
 
-    // The velocity without fluctuation, which no model has changed yet, less that of the grain
+    // Of the end of the interval before. The velocity where the grain has come to since, which no
+    // model has changed yet, is for new grains alone
     const vector slip
     (
-        grainBatch::get(grains.fluidVelocity, i) - grainBatch::get(grains.velocity, i)
+        grainBatch::get(isNew(grains, i) ? grains.fluidVelocity : grains.state(before_), i)
+      - grainBatch::get(grains.velocity, i)
       + grainBatch::get(grains.state(response_), i)
     );
 
@@ -116,9 +119,11 @@ void Foam::LangevinDispersion::keep
 ) const
 {
     lane* response = grains.state(response_);
+    lane* before = grains.state(before_);
     for (direction k = 0; k < 3; ++k)
     {
         response[k][i] = mean[k] + kept*(response[k][i] - mean[k]);
+        before[k][i] = grains.fluidVelocity[k][i] - mean[k];
     }
 }
 

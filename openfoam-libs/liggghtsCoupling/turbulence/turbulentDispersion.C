@@ -216,7 +216,7 @@ void Foam::turbulentDispersion::disperse(grainBatch& grains)
     {
         const random numbers(seed_, grains.id[i], time.timeIndex());
         vector fluctuation(grainBatch::get(state, i));
-        if (rate[i] < 0)
+        if (isNew(grains, i))
         {
             scalar four[4];
             numbers.normals(0, four);
