@@ -207,6 +207,7 @@ Foam::grainForces::grainForces
     }
     selfDisturbance::check(dict, forces_);
     dispersion_ = turbulentDispersion::New(dict, needs_);
+    warnOfWalls(dict);
     sampler_ = fluidSampler::New(dict, fluid, locator);
 }
 
@@ -308,6 +309,10 @@ Foam::scalar Foam::grainForces::act
         }
     }
     checkRequested(batch);
+    if (dispersion_)
+    {
+        dispersion_->checkInterval();
+    }
     grains.send();
     return slipSum;
 }

@@ -98,6 +98,16 @@ void Foam::LangevinDispersion::advance
 }
 
 
+Foam::scalar Foam::LangevinDispersion::eddyTime(const grainBatch& grains, const label i) const
+{
+    const scalar speed = (*grains.fluid(speed_))[i];
+    return
+        speed > 1e-3*mag(grainBatch::get(grains.fluidVelocity, i))
+      ? (*grains.fluid(time_))[i]/Sct_
+      : GREAT;
+}
+
+
 void Foam::LangevinDispersion::mirrored
 (
     grainBatch& grains,
