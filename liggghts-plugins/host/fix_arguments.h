@@ -56,6 +56,7 @@ class FixArguments {
   // before they overflow and make forces that are no numbers.
   double number(const std::string &what, double least = -LARGEST, double most = LARGEST)
   {
+    if (!more()) fail("missing " + after("number", what));
     const std::string text = word(what);
     char *end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
@@ -96,7 +97,8 @@ class FixArguments {
 
   bool yesNo(const std::string &what)
   {
-    const std::string text = word(what + " yes or no");
+    if (!more()) fail("missing " + after("word yes or no", what));
+    const std::string text = word(what);
     if (text != "yes" && text != "no") fail(what + " must be yes or no, not '" + text + "'");
     return text == "yes";
   }
@@ -119,6 +121,12 @@ class FixArguments {
   char **arg_;
   int next_;
   std::vector<std::string> given_;
+
+  // what is expected: if `what` is the keyword that was read last, a value of a kind after it
+  std::string after(const std::string &kind, const std::string &what) const
+  {
+    return next_ > 0 && what == arg_[next_ - 1] ? "the " + kind + " after " + what : what;
+  }
 
   static std::string print(double value)
   {

@@ -165,7 +165,7 @@ class Roughness(grainjet.Case):
         for line, words in (
                 ("fix r all wall/roughness", ("missing keyword wall",)),
                 ("fix r all wall/roughness wall w", ("missing keyword angle",)),
-                ("fix r all wall/roughness wall w angle", ("missing angle",)),
+                ("fix r all wall/roughness wall w angle", ("missing the number after angle",)),
                 ("fix r all wall/roughness wall w angle -1", ("angle", "-1")),
                 ("fix r all wall/roughness wall w angle 30", ("angle", "11.25")),
                 ("fix r all wall/roughness wall w angle 5 seed 0", ("seed", "whole number")),

@@ -20,7 +20,7 @@ namespace Foam
         {
             {
                 "C",
-                knownEntries::rule(knownEntries::valueType::POSITIVE)
+                knownEntries::rule(1e-6, 100)
                .means("coefficient of added mass, 0.5 for a sphere").like("0.5")
             }
         }

@@ -230,6 +230,7 @@ Foam::grainForces::grainForces
     }
     selfDisturbance::check(dict, forces_);
     dispersion_ = turbulentDispersion::New(dict, needs_);
+    warnOfWalls(dict);
     sampler_ = fluidSampler::New(dict, fluid, locator);
 }
 
@@ -337,6 +338,10 @@ Foam::scalar Foam::grainForces::act
         setActions(batch, grains, first);
     }
     checkRequested(batch);
+    if (dispersion_)
+    {
+        dispersion_->checkInterval();
+    }
     grains.send();
     return slipSum;
 }

@@ -4,13 +4,17 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Entries of the models, and what they must not add to the sums of a batch, see grainForces.H.
+    Entries of the models, what they must not add to the sums of a batch, and what does not go
+    together, see grainForces.H.
 
 \*---------------------------------------------------------------------------*/
 
 #include "grainForces.H"
 #include "dragForce.H"
 #include "dragLaw.H"
+#include "SaffmanMeiForce.H"
+#include "turbulenceModel.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -77,6 +81,28 @@ void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
     if (requests().torque && anyNegativeIn(batch.spinCoefficient))
     {
         refuse("a negative spinCoefficient: such a torque would speed up the spin");
+    }
+}
+
+
+void Foam::grainForces::warnOfWalls(const dictionary& dict) const
+{
+    bool lift = false;
+    for (const grainForce& force : forces_)
+    {
+        lift = lift || isA<SaffmanMeiForce>(force);
+    }
+    const turbulenceModel* model = needs_.fluid().model();
+    if
+    (
+        lift && !dispersion_ && model && model->get<word>("simulationType") == "RAS"
+     && needs_.mesh().boundaryMesh().findPatchIDs<wallPolyPatch>().size()
+    )
+    {
+        IOWarningInFunction(dict)
+            << "forces: SaffmanMei without turbulentDispersion: at walls this lift draws grains that are"
+            << " faster than the flow to the wall, and no eddies take them off it again. Leave SaffmanMei"
+            << " out, or set turbulentDispersion Langevin" << endl;
     }
 }
 

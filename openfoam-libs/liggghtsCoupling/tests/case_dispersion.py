@@ -107,6 +107,46 @@ class Dispersion(grainjet.Case):
             print(f"{name}: <v'2> {found:.4e}, theory {exact:.4e}")
             self.assertLess(abs(found / exact - 1), 4 * math.sqrt(2 / n) + 0.015)
 
+    def test_shear(self):
+        """Light grains in a flow along z that changes across it, U = 60 m/s sin(2 pi x/20 mm). Where they come to in an interval
+        the flow is faster or slower by about s. They follow it, and so see eddies for T: the spread across is that in still
+        fluid. With that difference as their slip it is 0.42 of it."""
+        n, steps, tau = 1500, 100, 0.005 * T
+        x, _ = box.swarm(n, 12)
+        folder = self.prepare("shear", (x, [(0, 0, 60 * math.sin(100 * math.pi * p[0])) for p in x]), steps=steps,
+                              diameter=math.sqrt(18 * RHO * NU * tau / 1000.0), options={"interpolation": "cellPoint"})
+        dictionaries.write_field(folder, "U", "0 1 -1", "nonuniform List<vector> 2000 (" + " ".join(
+            f"(0 0 {60 * math.sin(math.pi * (0.2 * (i % 10) + 0.1)):.6f})" for i in range(2000)) + ")", '".*" { type cyclic; }')
+        result = self.run_case(folder)
+        self.assertNotIn("is long for", result.output)
+        way = dumps.array(folder / "grains.dump")[:, 1] - numpy.array(x)[:, 0]
+        found, exact = (way ** 2).mean(), moments(T, tau, steps * DT, False)[1]
+        print(f"\nacross the shear: <x2> {found:.4e}, theory {exact:.4e}")
+        self.assertLess(abs(found / exact - 1), 4 * math.sqrt(2 / n))
+
+    def test_interval(self):
+        """A warning, once, if more than a tenth of the grains is moved in an interval by a fifth of an eddy and more: T/4
+        for light grains; heavy ones hardly move. None with a smaller share, and none with eddies ten times as long."""
+        for light, epsilon, ranks in ((6, 7, 0), (6, 7, 2), (5, 7, 0), (50, 0.7, 0)):
+            with self.subTest(light=light, epsilon=epsilon, ranks=ranks):
+                folder = self.prepare(f"interval{light}{ranks}", self.at_rest(50), steps=3, processors="processors 1 1 2" if ranks else "",
+                                      fields={"epsilon": epsilon * EPSILON})
+                with open(folder / "constant/new.grains", "a") as script:
+                    script.write(f"set atom 1*{light} density 5\n")
+                output = self.run_case(folder, ranks).output
+                self.assertEqual(output.count("turbulentDispersion Langevin: deltaT 0.0001 s is long for 12 % of the grains"),
+                                 int(light == 6))
+                self.assertEqual(output.count("is long for"), int(light == 6))
+
+    def test_lift_at_walls(self):
+        """A warning of SaffmanMei where walls have no dispersion to take grains off them; none in laminar flow."""
+        lift = "{ drag { model Stokes; } SaffmanMei {} }"
+        for i, (word, boundary, fields, said) in enumerate((("none", "f f f", None, 1), ("Langevin", "f f f", None, 0),
+                                                            ("none", "p p p", None, 0), ("none", "f f f", False, 0))):
+            with self.subTest(word=word, boundary=boundary, fields=fields):
+                folder = self.prepare(f"lift{i}", self.at_rest(5), word, steps=1, forces=lift, boundary=boundary, fields=fields)
+                self.assertEqual(self.run_case(folder).output.count("SaffmanMei without turbulentDispersion"), said)
+
     # ---- nothing to do
 
     def test_nothing(self):

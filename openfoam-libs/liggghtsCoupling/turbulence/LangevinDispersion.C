@@ -53,6 +53,7 @@ void Foam::LangevinDispersion::ask(forceNeeds& needs)
     time_ = needs.quantity("turbulentTime");
     timeGradient_ = needs.quantity("gradTurbulentTime");
     response_ = needs.state("response", scalarList(3, Zero));
+    before_ = needs.state("before", scalarList(3, Zero));
 }
 
 
@@ -77,10 +78,12 @@ void Foam::LangevinDispersion::advance
         seen.time_gradient[k] = timeGradient[k][i]/Sct_;
     }
 
-    // The velocity without fluctuation, which no model has changed yet, less that of the grain
+    // Of the end of the interval before. The velocity where the grain has come to since, which no
+    // model has changed yet, is for new grains alone
     const vector slip
     (
-        grainBatch::get(grains.fluidVelocity, i) - grainBatch::get(grains.velocity, i)
+        grainBatch::get(isNew(grains, i) ? grains.fluidVelocity : grains.state(before_), i)
+      - grainBatch::get(grains.velocity, i)
       + grainBatch::get(grains.state(response_), i)
     );
 
@@ -90,6 +93,16 @@ void Foam::LangevinDispersion::advance
 
     grainjet::turbulence::LangevinStep(seen, dt_, responseTime, slip.cdata())
        .advance(normals, fluctuation.data(), mean.data());
+}
+
+
+Foam::scalar Foam::LangevinDispersion::eddyTime(const grainBatch& grains, const label i) const
+{
+    const scalar speed = (*grains.fluid(speed_))[i];
+    return
+        speed > 1e-3*mag(grainBatch::get(grains.fluidVelocity, i))
+      ? (*grains.fluid(time_))[i]/Sct_
+      : GREAT;
 }
 
 
@@ -114,9 +127,11 @@ void Foam::LangevinDispersion::keep
 ) const
 {
     lane* response = grains.state(response_);
+    lane* before = grains.state(before_);
     for (direction k = 0; k < 3; ++k)
     {
         response[k][i] = mean[k] + kept*(response[k][i] - mean[k]);
+        before[k][i] = grains.fluidVelocity[k][i] - mean[k];
     }
 }
 

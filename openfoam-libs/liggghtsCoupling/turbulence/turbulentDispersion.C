@@ -112,6 +112,14 @@ bool Foam::turbulentDispersion::isTurbulent
 }
 
 
+bool Foam::turbulentDispersion::isLong(grainBatch& grains, const label i) const
+{
+    const scalar rate = (*grains.state(rate_))[i];
+    const scalar time = eddyTime(grains, i);
+    return rate > 0 && sqr(dt_) > 0.04*time*(time + 1/rate);
+}
+
+
 void Foam::turbulentDispersion::mirror
 (
     grainBatch& grains,
@@ -164,7 +172,10 @@ Foam::turbulentDispersion::turbulentDispersion
             checkUnstated(dict, entries),
             dict.lookupOrDefault<label>("seed", 1)
         )
-    )
+    ),
+    nGrains_(0),
+    nLong_(0),
+    warned_(false)
 {}
 
 
@@ -249,11 +260,13 @@ void Foam::turbulentDispersion::disperse(grainBatch& grains)
     lane* state = grains.state(fluctuation_);
     const lane& rate = *grains.state(rate_);
 
+    nGrains_ += grains.n;
     for (label i = 0; i < grains.n; ++i)
     {
+        nLong_ += isLong(grains, i);
         const random numbers(seed_, grains.id[i], time.timeIndex());
         vector fluctuation(grainBatch::get(state, i));
-        if (rate[i] < 0)
+        if (isNew(grains, i))
         {
             scalar four[4];
             numbers.normals(0, four);
@@ -297,6 +310,28 @@ void Foam::turbulentDispersion::remember(grainBatch& grains) const
             (grains.Sp[i] + grains.nonReactingSp[i])/(grains.mass[i] + grains.addedMass[i]);
         keep(grains, i, exp(-rate[i]*dt_), grainBatch::get(mean_, i));
     }
+}
+
+
+void Foam::turbulentDispersion::checkInterval()
+{
+    if (!warned_)
+    {
+        const scalar share =
+            returnReduce(scalar(nLong_), sumOp<scalar>())
+           /max(returnReduce(scalar(nGrains_), sumOp<scalar>()), scalar(1));
+        warned_ = share > 0.1;
+        if (warned_)
+        {
+            IOWarningInFunction(dict_)
+                << entryName << ' ' << type() << ": deltaT " << dt_ << " s is long for "
+                << label(100*share + 0.5) << " % of the grains: in an interval eddies move them by more"
+                << " than a fifth of the eddy. They keep the velocity of the fluid where they come"
+                << " from, which is wrong near walls. Shorten deltaT, and couplingInterval with it."
+                << " This is said once" << endl;
+        }
+    }
+    nGrains_ = nLong_ = 0;
 }
 
 
