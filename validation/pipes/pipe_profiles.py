@@ -147,6 +147,13 @@ def loading(case, s):
     return rate/(s["rhoFluid"]*s["Ubulk"]*math.pi/4*s["D"]**2)
 
 
+def lost(case):
+    """Grains that were inserted and take no part at the end: they left the box, were deleted, vanished, or are outside of the mesh,
+    where they feel no fluid."""
+    t = tables.history(case/"postProcessing/liggghtsCoupling", "balance")
+    return int((t["inserted"] - t["present"] + t["outsideMesh"])[-1])
+
+
 def drive(case):
     """The mean pressure gradient of meanVelocityForce over the density, m/s2, averaged over the second half of the run."""
     log = (case/"log.pimpleFoam").read_text(errors="replace")

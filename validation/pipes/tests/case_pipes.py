@@ -14,7 +14,7 @@ import numpy
 import grainjet
 import pipe_profiles
 from grainjet import programs, tables
-from pipe_table import Pipes
+from pipe_table import Pipes, version
 
 COMMAND = grainjet.ROOT/"validation/pipes/pipes.py"
 
@@ -48,6 +48,7 @@ class Command(grainjet.Case):
         for (case, model), row in rows.items():
             self.assertTrue(0 < float(row["rms error particles"]) < 1, row)
             self.assertEqual(row["rms error gas"] == "", case == "huber")
+            self.assertEqual((row["lost"], row["version"]), ("0", version()))
             self.assertAlmostEqual(float(row["loading"])/float(row["loading wanted"]), 1, delta=0.15)
         for case in ("tsuji-200-1", "huber"):
             self.assertTrue((self.folder/f"results/{case}_tiny.png").is_file())
@@ -94,6 +95,17 @@ class Command(grainjet.Case):
             self.assertEqual(result.code, 1, result)
             self.assertIn(said, result.output)
             self.assertFalse((self.folder/"work").exists())
+
+
+class Lost(grainjet.Case):
+
+    def test_all_fates_count(self):
+        """Of 100 grains 2 left the box, 1 was deleted, 3 vanished and 4 are outside of the mesh; before the end it was one more."""
+        path = self.folder/"postProcessing/liggghtsCoupling/0/balance.dat"
+        path.parent.mkdir(parents=True)
+        path.write_text("# Time\tinserted\tpresent\tleftBox\tdeleted\tunaccounted\toutsideMesh\n"
+                        "0.1\t100\t94\t2\t1\t3\t5\n0.2\t100\t94\t2\t1\t3\t4\n")
+        self.assertEqual(pipe_profiles.lost(self.folder), 10)
 
 
 class Comparison(unittest.TestCase):
