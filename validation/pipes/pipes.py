@@ -32,7 +32,8 @@ from pipe_table import PipeError, Pipes, version
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("case", "model", "size", "grains", "loading wanted", "loading", "mean particle velocity/Ubulk",
            "rms error gas", "mean error gas", "rms error particles", "mean error particles", "rms error of rms", "mean error of rms",
-           "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)", "lost", "minutes", "version")
+           "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)",
+           "axial drag/weight", "(friction + drag)/drive", "lost", "minutes", "version")
 LOADING = 0.1                   # of the wanted one
 # settings that a finished run may differ in: what follows from the slip, which is kept with the run, and what makes no difference
 UNSTATED = ("slip", "grains", "solidFraction", "ranks", "title", "folder")
@@ -87,9 +88,12 @@ def compare(folder, s, points):
     profile = pipe_profiles.profiles(folder, s)
     gas = pipe_profiles.Gas(folder, s)
     symmetric = s["flow"] == "up"
+    force = pipe_profiles.balance(folder, s)
     row = {"grains": s["grains"], "loading wanted": s["loading"], "loading": f"{pipe_profiles.loading(folder, s):.3g}",
            "mean particle velocity/Ubulk": f"{particle_velocity(folder, s):.3f}",
            "dp/dz drive/(rho_p g)": f"{pipe_profiles.drive(folder)*s['rhoFluid']/(s['rhoParticle']*s['gravity']):.4f}",
+           "axial drag/weight": f"{force['taken']/force['weight']:.3f}",
+           "(friction + drag)/drive": f"{(force['friction'] + force['taken'])/force['drive']:.4f}",
            "lost": pipe_profiles.lost(folder)}
 
     def number(value):
