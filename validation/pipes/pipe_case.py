@@ -95,7 +95,7 @@ fix m4 all property/global coefficientFriction peratomtypepair 1 {friction!r}
 fix wall all wall/gran model hertz tangential history primitive type 1 zcylinder {radius!r} 0. 0.
 {templates}
 region inside cylinder z 0 0 {inner!r} 0 {length!r} units box
-fix pack all insert/pack seed 86028121 distributiontemplate mixture insert_every once overlapcheck yes all_in no &
+fix pack all insert/pack seed {seed} distributiontemplate mixture insert_every once overlapcheck yes all_in no &
     vel constant 0 0 {start!r} region inside particles_in_region {grains} ntry_mc 10000
 fix gravity all gravity {gravity!r} vector {direction}
 fix fluid all fluid/force coupled
@@ -173,7 +173,8 @@ def script(s, model):
     contact = "fix contact all hertz/cg tangential history rolling off" if model["collisions"] else ""
     return SCRIPT.format(**s, bin=4*grain, skin=2*grain, radius=radius, minus=-1.05*radius, plus=1.05*radius,
                          inner=radius - 1.01*grain/2, start=s["Ubulk"]*(1 - s["slip"]), contact=contact,
-                         templates="\n".join(templates), extra="\n".join(line.format(**s) for line in model["script"]),
+                         templates="\n".join(templates), seed=s.get("insertSeed", 86028121),
+                         extra="\n".join(line.format(**s) for line in model["script"]),
                          direction={"up": "0 0 -1", "horizontal": "0 -1 0"}[s["flow"]])
 
 

@@ -147,9 +147,32 @@ def loading(case, s):
     return rate/(s["rhoFluid"]*s["Ubulk"]*math.pi/4*s["D"]**2)
 
 
+def lost(case):
+    """Grains that were inserted and take no part at the end: they left the box, were deleted, vanished, or are outside of the mesh,
+    where they feel no fluid."""
+    t = tables.history(case/"postProcessing/liggghtsCoupling", "balance")
+    return int((t["inserted"] - t["present"] + t["outsideMesh"])[-1])
+
+
 def drive(case):
     """The mean pressure gradient of meanVelocityForce over the density, m/s2, averaged over the second half of the run."""
     log = (case/"log.pimpleFoam").read_text(errors="replace")
     # printed behind the momentum predictor and again behind the pressure; the latter holds
     values = [float(word) for word in re.findall(r"pressure gradient = ([-+.\deE]+)", log)][1::2]
     return float(numpy.mean(values[len(values)//2:]))
+
+
+def balance(case, s):
+    """Axial forces in N, averaged over the second half of the run: the drive, the friction of the gas on the wall, what the grains
+    take from the gas, what they receive, and their weight.
+
+    The friction comes from Spalding's law and the mean velocity of the cells at the wall, all around alike."""
+    t = tables.history(case/"postProcessing/liggghtsCoupling", "balance")
+    half = len(t["Time"])//2
+    sides = 4*s["nSide"]
+    area = sides*math.sin(2*math.pi/sides)/2*(s["D"]/2)**2
+    return {"drive": drive(case)*s["rhoFluid"]*area*s["length"],
+            "friction": s["rhoFluid"]*Gas(case, s).u_tau**2*math.pi*s["D"]*s["length"],
+            "taken": -t["toFluid_z"][half:].mean()/s["fluidStep"],
+            "received": t["toGrains_z"][half:].mean()/s["fluidStep"],
+            "weight": s["solidFraction"]*s["rhoParticle"]*math.pi/4*s["D"]**2*s["length"]*s["gravity"]}

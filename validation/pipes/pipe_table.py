@@ -5,6 +5,7 @@
 
 import math
 import pathlib
+import re
 import sys
 import tomllib
 
@@ -18,6 +19,12 @@ PATH = pathlib.Path(__file__).resolve().parent/"pipes.toml"
 
 class PipeError(Exception):
     """Wrong input, in one sentence."""
+
+
+def version():
+    """Of the libraries that run: a coupling and plugins of two versions refuse each other."""
+    header = (grainjet.ROOT/"liggghts-plugins/host/grainjet_version.h").read_text()
+    return re.search('#define GRAINJET_VERSION "(.+)"', header)[1]
 
 
 def choose(entries, name, kind):

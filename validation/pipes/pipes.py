@@ -7,8 +7,9 @@
     pipes.py <work folder> [--data <folder>] [--cases <name> ...] [--models <name>[+<name>] ...] [--size <name>]
              [--ranks <n>] [--again] [--results <folder>]
 
-Cases, models and sizes are those of pipes.toml. Finished runs in the work folder are used again. Writes errors.csv (rows of
-former calls stay) and a figure per case. Without --data it runs, draws no points and writes no errors.
+Cases, models and sizes are those of pipes.toml. Finished runs of the same version in the work folder are used again. Writes
+errors.csv (rows of former calls stay, `version` says which made them) and a figure per case. Without --data it runs, draws no
+points and writes no errors.
 """
 
 import argparse
@@ -26,12 +27,13 @@ import numpy
 
 import pipe_case
 import pipe_profiles
-from pipe_table import PipeError, Pipes
+from pipe_table import PipeError, Pipes, version
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = ("case", "model", "size", "grains", "loading wanted", "loading", "mean particle velocity/Ubulk",
            "rms error gas", "mean error gas", "rms error particles", "mean error particles", "rms error of rms", "mean error of rms",
-           "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)", "minutes")
+           "rms error of diameter", "points missed", "dp/dz drive/(rho_p g)",
+           "axial drag/weight", "(friction + drag)/drive", "lost", "minutes", "version")
 LOADING = 0.1                   # of the wanted one
 # settings that a finished run may differ in: what follows from the slip, which is kept with the run, and what makes no difference
 UNSTATED = ("slip", "grains", "solidFraction", "ranks", "title", "folder")
@@ -45,14 +47,14 @@ def simulate(work, case, size, name, pipes, args):
     s = pipes.run(case, size, **ranks)
     model = pipes.model(name)
     folder = work/f"{case}_{size}_{name}"
-    stated = {"settings": {k: v for k, v in s.items() if k not in UNSTATED}, "model": model}
+    stated = {"settings": {k: v for k, v in s.items() if k not in UNSTATED}, "model": model, "version": version()}
     done = folder/"finished.json"
     if done.is_file() and not args.again:
         kept = json.loads(done.read_text())
         before = {**kept["stated"], "settings": {k: v for k, v in kept["stated"]["settings"].items() if k not in UNSTATED}}
         if before == json.loads(json.dumps(stated)):
             return folder, pipes.run(case, size, slip=kept["slip"]), kept["minutes"]
-        print(f"{folder.name}: run with other numbers than pipes.toml has now, runs again", flush=True)
+        print(f"{folder.name}: run by another version or with other numbers than pipes.toml has now, runs again", flush=True)
     for _ in range(2):
         start = time.monotonic()
         pipe_case.run(folder, s, model)
@@ -86,9 +88,13 @@ def compare(folder, s, points):
     profile = pipe_profiles.profiles(folder, s)
     gas = pipe_profiles.Gas(folder, s)
     symmetric = s["flow"] == "up"
+    force = pipe_profiles.balance(folder, s)
     row = {"grains": s["grains"], "loading wanted": s["loading"], "loading": f"{pipe_profiles.loading(folder, s):.3g}",
            "mean particle velocity/Ubulk": f"{particle_velocity(folder, s):.3f}",
-           "dp/dz drive/(rho_p g)": f"{pipe_profiles.drive(folder)*s['rhoFluid']/(s['rhoParticle']*s['gravity']):.4f}"}
+           "dp/dz drive/(rho_p g)": f"{pipe_profiles.drive(folder)*s['rhoFluid']/(s['rhoParticle']*s['gravity']):.4f}",
+           "axial drag/weight": f"{force['taken']/force['weight']:.3f}",
+           "(friction + drag)/drive": f"{(force['friction'] + force['taken'])/force['drive']:.4f}",
+           "lost": pipe_profiles.lost(folder)}
 
     def number(value):
         return "" if math.isnan(value) else f"{value:.4f}"
@@ -184,7 +190,7 @@ def main():
                 folder, s, minutes = simulate(args.work.resolve(), case, args.size, model, pipes, args)
                 points = measured(args.data, s)
                 row, runs[model] = compare(folder, s, points)
-                row |= {"case": case, "model": model, "size": args.size, "minutes": f"{minutes:.1f}"}
+                row |= {"case": case, "model": model, "size": args.size, "minutes": f"{minutes:.1f}", "version": version()}
                 print(", ".join(f"{name} {row[name]}" for name in COLUMNS if row.get(name, "") != ""), flush=True)
                 if points:
                     write_table(args.results/"errors.csv", [row])
