@@ -41,16 +41,29 @@ std::string digits(const Foam::scalar count)
 
 void Foam::couplingLog::warn(const scalar maxSolidFraction)
 {
-    // The neglected inertia and displacement are of the order of the solid fraction
-    const scalar noticeable = 0.05;
+    // Neglected inertia and displacement are of the order of the solid fraction; spheres of one size
+    // cannot fill more than pi/sqrt(18)
+    const scalar noticeable = full_ ? 0.74 : 0.05;
 
-    if (!warned_ && maxSolidFraction > noticeable)
+    if (warned_ || !(maxSolidFraction > noticeable))
     {
-        warned_ = true;
+        return;
+    }
+    warned_ = true;
+    if (full_)
+    {
+        WarningInFunction
+            << "Grains fill " << 100*maxSolidFraction << " % of a cell, more than spheres that do not"
+            << " overlap can (74 %). Either they overlap, or the cell is not larger than they are."
+            << " See the columns maxSolidFraction and volumeCut of the table. This is said once" << endl;
+    }
+    else
+    {
         WarningInFunction
             << "Grains fill " << 100*maxSolidFraction << " % of a cell. The"
             << " solver's equations hold no void fraction: there they are wrong by one"
-            << " to two times as much. This is said once" << endl;
+            << " to two times as much. The entry voidFraction { equations full; } puts it in. This is said once"
+            << endl;
     }
 }
 
@@ -115,11 +128,17 @@ void Foam::couplingLog::writeTableHeader()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::couplingLog::couplingLog(const fvMesh& mesh, const bool twoWay)
+Foam::couplingLog::couplingLog
+(
+    const fvMesh& mesh,
+    const bool twoWay,
+    const bool full
+)
 :
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
     mesh_(mesh),
     twoWay_(twoWay),
+    full_(full),
     warned_(false),
     missed_(false),
     leftBox_(0),

@@ -116,7 +116,7 @@ Foam::couplingPipeline::couplingPipeline
         fluid.mesh().time().globalPath(),
         dict.lookupOrDefault<fileName>("log", "log.liggghts")
     ),
-    log_(fluid.mesh(), couplingEntries::twoWay(dict))
+    log_(fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict))
 {
     start();
 

@@ -49,6 +49,7 @@ LATE = ("file", "output", "name", "a thousand million")
 VOID_FRACTION = {
     "model": Entry("choice", "divided", required=True),
     "minimum": Entry("fraction", "0.3"),
+    "equations": Entry("choice", "neglected"),
 }
 
 CHEN_WOOD = {
