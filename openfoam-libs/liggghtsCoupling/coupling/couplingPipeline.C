@@ -139,9 +139,9 @@ Foam::couplingPipeline::couplingPipeline
         << (former_.continues() ? " continued" : " new") << " grains, "
         << interval_ << " DEM steps of " << session_.timeStep()
         << " s per fluid step" << nl;
-    Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
     forces_.report(Info);
-    Info<< endl;
+    Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl
+        << endl;
 }
 
 
