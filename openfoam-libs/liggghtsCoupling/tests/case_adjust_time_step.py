@@ -237,16 +237,21 @@ class AdjustTimeStep(box.CoupledCase):
     def test_refused(self):
         self.refused("couplingInterval is for a fixed step", "constant/fvOptions", "adjustTimeStep yes", interval="10", ranks=2)
         self.refused("Entry couplingInterval is missing", control="adjustTimeStep no;")
-        stream = """
+        distribution = """
 fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 1e-4
 fix pdd all particledistribution/discrete 32452843 1 pts 1
 region low block 0.004 0.016 0.004 0.016 0.004 0.008 units box
-fix ins all insert/rate/region seed 49979693 distributiontemplate pdd verbose no nparticles 100 particlerate 1000 """ \
-            """insert_every 10 overlapcheck yes vel constant 0 0 0 region low ntry_mc 1000
 """
+        stream = distribution + (
+            "fix ins all insert/rate/region seed 49979693 distributiontemplate pdd verbose no nparticles 100 particlerate 1000 "
+            "insert_every 10 overlapcheck yes vel constant 0 0 0 region low ntry_mc 1000\n")
         self.refused("fix ins of style insert/rate/region counts DEM steps", "couplingInterval", "constant/in.particles",
                      fixes=stream, ranks=2)
         self.refused("fix d of style dt/reset", fixes="fix d all dt/reset 1 1e-7 1e-5 1e-6\n")
+        once = distribution + ("fix ins all insert/pack seed 49979693 distributiontemplate pdd verbose no insert_every once "
+                               "overlapcheck yes vel constant 0 0 0 particles_in_region 20 region low ntry_mc 1000\n")
+        folder = self.adjusted(self.new_folder(), grains="", end_time=2e-4, fixes=once, cells="4 4 8")
+        self.assertEqual(box.read_balance(folder)["present"][-1], 20)
 
 
 if __name__ == "__main__":
