@@ -219,6 +219,32 @@ class AdjustTimeStep(box.CoupledCase):
             for p, q in zip(a[tag], b[tag]):
                 self.assertAlmostEqual(p, q, delta=1e-11)
 
+    def test_switched_between_runs(self):
+        """A run with fixed steps, continued with steps that change, and with fixed ones again: LIGGGHTS' time goes on from
+        that of the file with the step that is made, and the balance is kept."""
+        x, v = box.swarm(300, 5, high=(0.02, 0.02, 0.02))
+        folder = self.new_folder()
+        box.write(folder, velocity="(0 0 1)", steps=10, control="adjustTimeStep no; maxCo 0.1; maxDeltaT 2e-4;")
+        box.script(folder, grains=box.grains(x, v, 1e-3), fixes=CLOCK)
+        options = {"drag": None, "forces": ALL}
+        box.fv_options(folder, **options)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        dictionaries.put(folder / "system/controlDict", adjustTimeStep="yes", endTime="0.002",
+                         writeControl="adjustableRunTime", writeInterval="0.001")
+        box.fv_options(folder, couplingInterval=None, **options)
+        self.foam("pimpleFoam", folder)
+        time, h = self.clock(folder)
+        self.assertAlmostEqual(time[0], 0.001 + h[0], delta=1e-14)
+        self.assertAlmostEqual(time[-1], 0.002, delta=1e-14)
+        dictionaries.put(folder / "system/controlDict", adjustTimeStep="no", endTime="0.003", writeControl="timeStep",
+                         writeInterval="10")
+        box.fv_options(folder, **options)
+        self.foam("pimpleFoam", folder)
+        self.assertEqual(set(self.clock(folder)[1]), {LONGEST})
+        for start in ("0.001", "0.002"):
+            self.assertLess(max(box.read_balance(folder, start)["imbalance"]), 1e-12)
+
     # what is refused
 
     def refused(self, *words, interval=None, control="adjustTimeStep yes; maxCo 1; maxDeltaT 1e-4;", fixes="", ranks=0):
