@@ -38,7 +38,7 @@ using namespace FixConst;
 FixHertzCg::FixHertzCg(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), timestep_fraction_(0.0), timestep_error_(false), overlap_fraction_(0.1),
   search_(lmp), stand_in_(nullptr), pairs_valid_(false), store_current_(true), forces_restarted_(false),
-  rmax_(0.0), margin_(0.0), pairs_per_grain_(-1.0), search_step_(0), expired_(false), work_done_(), stream_(),
+  rmax_(0.0), margin_(0.0), pairs_per_grain_(-1.0), search_step_(0), elapsed_(0.0), counted_step_(0), step_size_(0.0), expired_(false), work_done_(), stream_(),
   freeze_bit_(0), grows_(false), growth_(0.0), collisions_(0.0),
   deep_(0.0), deepest_(0.0), deep_reported_(0.0), work_(0.0), found_(0.0), reduced_step_(-1)
 {
@@ -131,6 +131,8 @@ int FixHertzCg::setmask()
 
 void FixHertzCg::init()
 {
+  step_size_ = update->dt;
+
   // grains that are there have no contacts yet, or those of a restart file: not to be reset by the
   // host after the first forces
   just_created = 0;

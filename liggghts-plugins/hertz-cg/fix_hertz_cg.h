@@ -72,6 +72,7 @@ class FixHertzCg : public Fix {
   void setup_pre_neighbor();
   void setup_pre_force(int);
   void post_integrate();
+  void reset_dt();
   void pre_exchange();
   void pre_neighbor();
   void end_of_step();
@@ -123,6 +124,9 @@ class FixHertzCg : public Fix {
   double margin_;          // m, of the present list
   double pairs_per_grain_; // of the present list
   bigint search_step_;     // when it was made
+  double elapsed_;         // s, from then until counted_step_, in steps of other lengths than the present one
+  bigint counted_step_;
+  double step_size_;       // s, of the present steps
   bool expired_;           // the next one is due because its margin is used up
   grainjet::SearchSettings::Work work_done_;
   double stream_[3];       // m/s, mean velocity of the grains then

@@ -33,7 +33,7 @@ using namespace LAMMPS_NS;
 void FixHertzCg::post_integrate()
 {
   forces_restarted_ = false;
-  const double time = (update->ntimestep - search_step_) * update->dt;
+  const double time = elapsed_ + (update->ntimestep - counted_step_) * update->dt;
   const int failed = grainjet::StreamMotion::RELATIVE + 1;
   int state = motion_.expired(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr, time);
   if (sizes_changed()) state = std::max<int>(state, grainjet::StreamMotion::STREAM);
@@ -42,6 +42,17 @@ void FixHertzCg::post_integrate()
   if (state == failed) report_failure();
   if (state != grainjet::StreamMotion::FRESH) next_reneighbor = update->ntimestep;
   expired_ = state == grainjet::StreamMotion::RELATIVE;
+}
+
+/* ----------------------------------------------------------------------
+   The time since the last search is one of steps of the former length, too
+------------------------------------------------------------------------- */
+
+void FixHertzCg::reset_dt()
+{
+  elapsed_ += (update->ntimestep - counted_step_) * step_size_;
+  counted_step_ = update->ntimestep;
+  step_size_ = update->dt;
 }
 
 /* ----------------------------------------------------------------------
@@ -175,7 +186,8 @@ void FixHertzCg::search()
   if (!forces_restarted_) {
     stream_velocity(stream_);
     choose_margin(stream_);
-    search_step_ = update->ntimestep;
+    search_step_ = counted_step_ = update->ntimestep;
+    elapsed_ = 0.0;
   }
 
   const int nall = atom->nlocal + atom->nghost;

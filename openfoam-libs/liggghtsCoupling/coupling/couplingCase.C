@@ -180,29 +180,9 @@ Foam::couplingCase::couplingCase(const dictionary& dict, const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::couplingCase::checkConstantStep() const
-{
-    const dictionary& controls = mesh_.time().controlDict();
-    if (controls.lookupOrDefault("adjustTimeStep", false))
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInEntry(controls, "adjustTimeStep")
-                    << "adjustTimeStep yes cannot be used with liggghtsCoupling"
-                    << ": the fluid step is couplingInterval DEM steps. Set it to no"
-                    << exit(FatalIOError);
-            }
-        );
-    }
-}
-
-
 void Foam::couplingCase::check() const
 {
     checkMesh();
-    checkConstantStep();
 
     couplingEntries::onMaster
     (

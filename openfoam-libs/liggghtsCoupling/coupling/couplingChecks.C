@@ -5,12 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingChecks.H"
-#include "couplingCase.H"
 #include "couplingEntries.H"
 #include "entryError.H"
-#include <cmath>
-#include <iomanip>
-#include <sstream>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -29,42 +25,6 @@ Foam::couplingChecks::couplingChecks
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::couplingChecks::timeStep() const
-{
-    const label interval = dict_.get<label>("couplingInterval");
-    const scalar fluid = mesh_.time().deltaTValue();
-    const scalar dem = session_.timeStep();
-
-    // Both are typed decimal numbers: equal up to their representation
-    if (mag(fluid - interval*dem) > 1e-9*fluid)
-    {
-        couplingCase(dict_, mesh_).checkConstantStep();
-
-        // As the user typed them, whatever the case's writePrecision
-        std::ostringstream message;
-        message
-            << std::setprecision(10)
-            << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
-            << " s (system/controlDict), couplingInterval " << interval
-            << ", timestep " << dem << " s (" << script_ << "), product "
-            << interval*dem << " s.\n    Set deltaT to " << interval*dem;
-        if (std::round(fluid/dem) >= 1 && fluid/dem < scalar(labelMax))
-        {
-            message << " or couplingInterval to " << fluid/dem;
-        }
-
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInEntry(dict_, "couplingInterval")
-                    << message.str().c_str() << exit(FatalIOError);
-            }
-        );
-    }
-}
-
 
 void Foam::couplingChecks::overlap() const
 {

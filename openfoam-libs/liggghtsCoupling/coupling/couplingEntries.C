@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingEntries.H"
+#include "demSteps.H"
 #include "dragLaw.H"
 #include "fluidSampler.H"
 #include "grainForces.H"
@@ -42,7 +43,7 @@ wordList models(const Table& table, const bool on, const wordList& others = word
 }
 
 
-entryTable ofTheCoupling(const bool on)
+entryTable ofTheCoupling(const bool on, const bool adjusted)
 {
     typedef knownEntries::rule rule;
     const wordList none(1, "none");
@@ -61,7 +62,7 @@ entryTable ofTheCoupling(const bool on)
         },
         {
             "couplingInterval",
-            rule(valueType::COUNT, knownEntries::REQUIRED)
+            rule(valueType::COUNT, adjusted ? knownEntries::OPTIONAL : knownEntries::REQUIRED)
            .means("DEM steps per fluid step").like("10")
         },
         {"coupling", wordList({"twoWay", "oneWay"})},
@@ -190,7 +191,12 @@ void Foam::couplingEntries::checkRepeated
 }
 
 
-void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
+void Foam::couplingEntries::checkKnown
+(
+    const word& type,
+    const dictionary& dict,
+    const Time& time
+)
 {
     // Entries may lie in a sub-dictionary of the option's own name
     const word sub(type + "Coeffs");
@@ -199,7 +205,7 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
 
     knownEntries::checkValue(dict, "active", valueType::SWITCH);
     const bool on = dict.lookupOrDefault<Switch>("active", true);
-    const entryTable entries(ofTheCoupling(on));
+    const entryTable entries(ofTheCoupling(on, demSteps::adjusted(time)));
 
     entryTable known(ofEveryOption());
     if (apart)
@@ -217,6 +223,7 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
     knownEntries::check(dict, known);
     if (on)
     {
+        demSteps::checkEntries(coeffs, time);
         carrierFluid::checkEntries(coeffs);
         if (coeffs.found("voidFraction"))
         {
@@ -274,7 +281,7 @@ Foam::dictionary Foam::couplingEntries::checked
         {
             checkOnlyOne(name, type, dict);
             checkRepeated(name, dict, file(mesh));
-            checkKnown(type, dict);
+            checkKnown(type, dict, mesh.time());
         }
     );
     Pstream::scatter(location);

@@ -24,7 +24,6 @@ const Foam::dictionary& checkedCase
 {
     fluid.check();
     Foam::couplingCase(dict, fluid.mesh()).check();
-    Foam::couplingEntries::onMaster([&](){ dict.get<Foam::label>("couplingInterval"); });
 
     // LIGGGHTS needs MPI also where the solver runs without
     Foam::UPstream::initNull();
@@ -43,11 +42,12 @@ void Foam::couplingPipeline::start()
         const noFloatTraps quiet;
         session_.start
         (
-            dict_.get<fileName>("script"), former_.grains(), forces_.requests()
+            dict_.get<fileName>("script"), former_.grains(), forces_.requests(),
+            demSteps::adjusted(fluid_.mesh().time())
         );
     }
     const couplingChecks checks(dict_, fluid_.mesh(), session_);
-    checks.timeStep();
+    steps_.check(session_);
     checks.overlap();
     checks.grains();
 
@@ -99,10 +99,10 @@ Foam::couplingPipeline::couplingPipeline
 :
     dict_(checkedCase(dict, fluid)),
     fluid_(fluid),
-    interval_(dict.get<label>("couplingInterval")),
     locator_(fluid.mesh()),
     forces_(dict, fluid, locator_),
     former_(fluid.mesh()),
+    steps_(dict, fluid.mesh(), former_.deltaT()),
     averages_(dict, locator_),
     equations_
     (
@@ -136,9 +136,9 @@ Foam::couplingPipeline::couplingPipeline
 
     Info<< "liggghtsCoupling: " << dict.get<fileName>("script") << ", "
         << session_.counts().present
-        << (former_.continues() ? " continued" : " new") << " grains, "
-        << interval_ << " DEM steps of " << session_.timeStep()
-        << " s per fluid step" << nl;
+        << (former_.continues() ? " continued" : " new") << " grains, ";
+    steps_.report(session_, Info);
+    Info<< nl;
     forces_.report(Info);
     Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl
         << endl;
@@ -152,7 +152,9 @@ void Foam::couplingPipeline::advance()
     const clockTime clock;
     couplingLog::step step;
 
-    couplingChecks(dict_, fluid_.mesh(), session_).timeStep();
+    scalar previous;
+    const label n = steps_.next(session_, previous);
+    fluid_.setPreviousStep(previous);
     if (equations_)
     {
         equations_->closeStep();
@@ -169,7 +171,7 @@ void Foam::couplingPipeline::advance()
     const scalar before = clock.elapsedTime();
     {
         const noFloatTraps asInTheStockProgram;
-        session_.advance(interval_);
+        session_.advance(n);
     }
     // It ends with a reduction, so that waiting for the slowest rank is time of DEM
     step.demSeconds = clock.elapsedTime() - before;

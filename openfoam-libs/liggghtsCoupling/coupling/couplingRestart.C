@@ -10,6 +10,8 @@
 #include "Time.H"
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,6 +26,14 @@ namespace Foam
 Foam::word Foam::couplingRestart::digits(const scalar number)
 {
     return std::to_string(std::llround(number));
+}
+
+
+Foam::word Foam::couplingRestart::exact(const scalar number)
+{
+    std::ostringstream os;
+    os  << std::setprecision(17) << number;
+    return word(os.str(), false);
 }
 
 
@@ -139,6 +149,9 @@ bool Foam::couplingRestart::writeObject
     counters.add("leftBox", digits(log_.leftBox()));
     counters.add("deleted", digits(log_.deleted()));
     counters.add("demStep", digits(grains.step));
+    counters.add("demTimeStep", exact(grains.timeStep));
+    counters.add("demTime", exact(grains.time));
+    counters.add("deltaT", exact(time.deltaTValue()));
     counters.add("grains", digits(grains.grains));
     counters.add("stamp", digits(grains.stamp));
     scalar bytes = 0;

@@ -278,6 +278,11 @@ void Foam::formerRun::readProperties(const wordList& traces)
     grains_.step = dict.get<scalar>("demStep");
     grains_.grains = dict.get<scalar>("grains");
 
+    // A former run with fixed steps may not have written them
+    dict.readIfPresent("demTimeStep", grains_.timeStep);
+    dict.readIfPresent("demTime", grains_.time);
+    dict.readIfPresent("deltaT", deltaT_);
+
     scalar bytes = 0;
     if (Pstream::master())
     {
@@ -337,10 +342,11 @@ Foam::formerRun::formerRun(const fvMesh& mesh)
     mesh_(mesh),
     startTime_(mesh.time().startTime().value()),
     startName_(mesh.time().timeName(startTime_)),
-    grains_{"", -1, 0, 0},
+    grains_{"", -1, 0, 0, 0, 0},
     inserted_(0),
     leftBox_(0),
-    deleted_(0)
+    deleted_(0),
+    deltaT_(0)
 {
     const Time& time = mesh.time();
     const fileName expected

@@ -50,7 +50,7 @@ Foam::tmp<Foam::volVectorField> Foam::accelerationQuantity::vectorField() const
     tmp<volVectorField> tDUDt((U & fluid_.gradVelocity()));
     volVectorField& DUDt = tDUDt.ref();
     DUDt.primitiveFieldRef() +=
-        (U.primitiveField() - previous.primitiveField())/time.deltaTValue();
+        (U.primitiveField() - previous.primitiveField())/fluid_.previousStep();
     DUDt.correctBoundaryConditions();
 
     previous.primitiveFieldRef() = U.primitiveField();

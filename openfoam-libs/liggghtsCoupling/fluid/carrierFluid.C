@@ -9,6 +9,7 @@
 #include "fvcGrad.H"
 #include "gradScheme.H"
 #include "surfaceFields.H"
+#include "Time.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -76,6 +77,7 @@ Foam::carrierFluid::carrierFluid
 :
     g_(Zero),
     hasGravity_(false),
+    previousStep_(0),
     mesh_(mesh),
     dict_(dict),
     coeffs_(coefficients(dict)),
@@ -141,6 +143,12 @@ void Foam::carrierFluid::checkEntries(const dictionary& dict)
 const Foam::turbulenceModel* Foam::carrierFluid::model() const
 {
     return mesh_.cfindObject<turbulenceModel>(turbulenceModel::propertiesName);
+}
+
+
+Foam::scalar Foam::carrierFluid::previousStep() const
+{
+    return previousStep_ > 0 ? previousStep_ : mesh_.time().deltaTValue();
 }
 
 

@@ -87,6 +87,7 @@ bool Foam::selfDisturbance::wanted(const dictionary& coupling)
 
 Foam::selfDisturbance::selfDisturbance(forceNeeds& needs)
 :
+    fluid_(needs.fluid()),
     mesh_(needs.mesh()),
     linear_(interpolationOf(needs.coupling()) == "cellPoint"),
     response_(linear_ ? grainjet::wake::CELL_POINT : grainjet::wake::CELL),
@@ -149,7 +150,7 @@ void Foam::selfDisturbance::correct(grainBatch& grains) const
     lane* seen = modes + 6;
     const scalarField& V = mesh_.V();
     const vectorField& C = mesh_.cellCentres();
-    const scalar dt = mesh_.time().deltaTValue();
+    const scalar dt = fluid_.previousStep();
 
     for (label i = 0; i < grainBatch::size; ++i)
     {

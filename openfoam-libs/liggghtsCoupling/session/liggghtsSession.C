@@ -195,7 +195,8 @@ void Foam::liggghtsSession::start
 (
     const std::string& script,
     const restartFile& former,
-    const requests& needed
+    const requests& needed,
+    const bool changes
 )
 {
     requested_ = needed;
@@ -225,6 +226,11 @@ void Foam::liggghtsSession::start
     if (continued)
     {
         checkContinued(former);
+    }
+    scriptTimeStep_ = timeStep();
+    if (changes)
+    {
+        followSteps(former);
     }
 
     cg_.assign(1, 1);

@@ -113,6 +113,7 @@ Foam::liggghtsSession::liggghtsSession
     lmp_(nullptr),
     fluidForce_(nullptr),
     contact_(nullptr),
+    scriptTimeStep_(0),
     insertedOffset_(0),
     running_(false)
 {

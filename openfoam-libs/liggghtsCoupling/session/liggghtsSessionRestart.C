@@ -201,7 +201,11 @@ Foam::liggghtsSession::restartFile Foam::liggghtsSession::writeRestart
     sessionWarnings::gather();
 
     const LAMMPS_NS::GrainFile written = fluidForce().written;
-    return {file, written.stamp, written.step, written.grains};
+    const LAMMPS_NS::Update& update = *lmp_->update;
+    return
+    {
+        file, written.stamp, written.step, written.grains, update.dt, update.get_cur_time()
+    };
 }
 
 

@@ -87,15 +87,15 @@ class BadInput(grainjet.Case):
         self.fails("rho", "transportProperties", "positive",
                    fluid={"rho": "rho [1 -3 0 0 0 0 0] -1.2;"})
 
-    def test_adjustable_time_step(self):
-        self.fails("adjustTimeStep", "controlDict",
+    def test_interval_with_an_adjustable_time_step(self):
+        self.fails("couplingInterval is for a fixed step", "fvOptions", "adjustTimeStep", "controlDict",
                    fluid={"control": "adjustTimeStep yes; maxCo 0.5;"})
 
     def test_time_step_that_changes_in_a_running_case(self):
         """Refused in the first step that is another, by what has changed it."""
         for ranks, new, words in ((0, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
                                   (2, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
-                                  (2, "adjustTimeStep yes; maxCo 0.5; deltaT 1e-4", "adjustTimeStep yes cannot")):
+                                  (2, "adjustTimeStep yes; maxCo 0.5; deltaT 1e-4", "adjustTimeStep yes cannot be set in a run")):
             with self.subTest(ranks=ranks, new=new):
                 folder = self.new_folder()
                 box.write(folder, walls=True, cells="2 2 4", control="OptimisationSwitches { fileModificationSkew 0; }")

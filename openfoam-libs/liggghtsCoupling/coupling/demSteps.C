@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demSteps.H"
+#include "couplingEntries.H"
+#include "entryError.H"
+#include "Time.H"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Steps are equal up to the representation of decimal numbers. The solver's step is a difference of times when
+// it has to meet a time of writing
+const Foam::scalar margin = 1e-9;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demSteps::choose(liggghtsSession& session)
+{
+    const scalar fluid = mesh_.time().deltaTValue();
+    const scalar longest = session.scriptTimeStep();
+    const scalar ratio = fluid/longest;
+
+    if (!(ratio < 1e9))
+    {
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(dict_, "script")
+                    << "timestep " << longest << " s of " << dict_.get<fileName>("script")
+                    << " is too short for a fluid step of " << fluid << " s: more than 1e9 DEM"
+                    << " steps. Enlarge timestep, or set maxDeltaT in system/controlDict"
+                    << exit(FatalIOError);
+            }
+        );
+    }
+
+    const label before = n_;
+    n_ = max(label(1), label(std::ceil(ratio*(1 - margin))));
+    session.setTimeStep(mag(fluid - n_*longest) <= margin*fluid ? longest : fluid/n_);
+
+    if (n_ != before)
+    {
+        Info<< "liggghtsCoupling: " << n_ << " DEM steps of " << session.timeStep()
+            << " s in a fluid step of " << fluid << " s" << endl;
+    }
+}
+
+
+void Foam::demSteps::checkFixed(const liggghtsSession& session) const
+{
+    const label interval = dict_.get<label>("couplingInterval");
+    const scalar fluid = mesh_.time().deltaTValue();
+    const scalar dem = session.timeStep();
+
+    if (mag(fluid - interval*dem) <= margin*fluid)
+    {
+        return;
+    }
+    if (adjusted(mesh_.time()))
+    {
+        const dictionary& controls = mesh_.time().controlDict();
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(controls, "adjustTimeStep")
+                    << "adjustTimeStep yes cannot be set in a run that began with a fixed step and"
+                    << " couplingInterval " << interval << ". Stop it, remove couplingInterval and"
+                    << " continue" << exit(FatalIOError);
+            }
+        );
+    }
+
+    // As the user typed them, whatever the case's writePrecision
+    std::ostringstream message;
+    message
+        << std::setprecision(10)
+        << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
+        << " s (system/controlDict), couplingInterval " << interval
+        << ", timestep " << dem << " s (" << dict_.get<fileName>("script") << "), product "
+        << interval*dem << " s.\n    Set deltaT to " << interval*dem;
+    if (std::round(fluid/dem) >= 1 && fluid/dem < scalar(labelMax))
+    {
+        message << " or couplingInterval to " << fluid/dem;
+    }
+
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            FatalIOErrorInEntry(dict_, "couplingInterval")
+                << message.str().c_str() << exit(FatalIOError);
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::demSteps::demSteps
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const scalar previous
+)
+:
+    dict_(dict),
+    mesh_(mesh),
+    adjusted_(adjusted(mesh.time())),
+    n_(0),
+    previous_(previous)
+{}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+bool Foam::demSteps::adjusted(const Time& time)
+{
+    return time.controlDict().lookupOrDefault("adjustTimeStep", false);
+}
+
+
+void Foam::demSteps::checkEntries(const dictionary& dict, const Time& time)
+{
+    if (adjusted(time) && dict.found("couplingInterval"))
+    {
+        FatalIOErrorInEntry(dict, "couplingInterval")
+            << "couplingInterval is for a fixed step, but system/controlDict has adjustTimeStep yes:"
+            << " then the number of DEM steps follows from deltaT and the script's timestep, which is"
+            << " the longest one. Remove couplingInterval, or set adjustTimeStep to no"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demSteps::check(const liggghtsSession& session) const
+{
+    if (!adjusted_)
+    {
+        checkFixed(session);
+    }
+}
+
+
+Foam::label Foam::demSteps::next(liggghtsSession& session, scalar& previous)
+{
+    if (adjusted_)
+    {
+        choose(session);
+    }
+    else
+    {
+        checkFixed(session);
+        n_ = dict_.get<label>("couplingInterval");
+    }
+    const scalar fluid = mesh_.time().deltaTValue();
+    previous = previous_ > 0 ? previous_ : fluid;
+    previous_ = fluid;
+    return n_;
+}
+
+
+void Foam::demSteps::report(const liggghtsSession& session, Ostream& os) const
+{
+    if (adjusted_)
+    {
+        os  << "DEM steps of at most " << session.scriptTimeStep() << " s";
+    }
+    else
+    {
+        os  << dict_.get<label>("couplingInterval") << " DEM steps of " << session.timeStep()
+            << " s per fluid step";
+    }
+}
+
+
+// ************************************************************************* //
