@@ -7,6 +7,7 @@
 #include "couplingEntries.H"
 #include "dragLaw.H"
 #include "fluidSampler.H"
+#include "grainFilter.H"
 #include "grainForces.H"
 #include "grainMomentum.H"
 #include "grainTurbulence.H"
@@ -225,6 +226,7 @@ void Foam::couplingEntries::checkKnown(const word& type, const dictionary& dict)
         grainForces::checkEntries(coeffs);
         turbulentDispersion::checkEntries(coeffs);
         voidFractionEquations::checkEntries(coeffs);
+        grainFilter::checkCoupling(coeffs);
     }
 }
 

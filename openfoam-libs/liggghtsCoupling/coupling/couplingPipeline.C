@@ -140,6 +140,10 @@ Foam::couplingPipeline::couplingPipeline
         << interval_ << " DEM steps of " << session_.timeStep()
         << " s per fluid step" << nl;
     Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
+    if (averages_.filter())
+    {
+        Info<< "    Grains are spread over " << averages_.filter()->length() << " m" << nl;
+    }
     forces_.report(Info);
     Info<< endl;
 }
