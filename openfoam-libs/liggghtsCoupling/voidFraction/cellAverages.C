@@ -197,7 +197,7 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
     {
         return content
         {
-            grain.volume(), grain.mass, grain.mass*grain.velocity, grain.volume()*grain.velocity
+            grain.volume(), grain.volume()*grain.velocity, grain.mass, grain.mass*grain.velocity
         };
     };
     const auto add =
@@ -239,7 +239,7 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
     );
     if (filter_)
     {
-        filter_->spread(occupied_, contents_);
+        filter_->spread(occupied_, contents_, solidsFlux_ ? content::ofFlux : content::ofVolume);
     }
 
     scalarField& eps = voidFraction_.primitiveFieldRef();
@@ -265,7 +265,7 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
         scalar cut = 0;
 
         velocity[celli] =
-            filter_ && solid < grainFilter::tiny ? vector(Zero) : c.momentum/c.mass;
+            filter_ && c.mass <= 0 ? vector(Zero) : c.momentum/c.mass;
         eps[celli] = model_->limited(solid, cut);
         result.volumeCut += cut*V[celli];
         result.maxSolidFraction = max(result.maxSolidFraction, solid);

@@ -19,6 +19,10 @@ namespace Foam
 namespace
 {
 
+// Of sizes of the mesh, relative
+constexpr scalar roundOff = 1e-6;
+
+
 // Side of the smallest cell [m]; on meshes with empty sides within the plane or line that is solved
 scalar smallestCell(const fvMesh& mesh)
 {
@@ -55,14 +59,14 @@ void Foam::grainFilter::check(const dictionary& dict) const
     (
         [&]()
         {
-            if (length_ < smallest)
+            if (length_ < (1 - roundOff)*smallest)
             {
                 FatalIOErrorInEntry(dict, "length")
                     << "length " << length_ << " m of the filter is smaller than the smallest cell, "
                     << smallest << " m, so it would change nothing. Give a length of some cells and"
                     << " grain diameters, or 0 for no filter" << exit(FatalIOError);
             }
-            if (length_ > largest)
+            if (length_ > (1 + roundOff)*largest)
             {
                 FatalIOErrorInEntry(dict, "length")
                     << "length " << length_ << " m of the filter is larger than the mesh, " << largest
