@@ -8,6 +8,7 @@
 #include "demSteps.H"
 #include "dragLaw.H"
 #include "fluidSampler.H"
+#include "grainFilter.H"
 #include "grainForces.H"
 #include "grainMomentum.H"
 #include "grainTurbulence.H"
@@ -232,6 +233,7 @@ void Foam::couplingEntries::checkKnown
         grainForces::checkEntries(coeffs);
         turbulentDispersion::checkEntries(coeffs);
         voidFractionEquations::checkEntries(coeffs);
+        grainFilter::checkCoupling(coeffs);
     }
 }
 

@@ -140,8 +140,12 @@ Foam::couplingPipeline::couplingPipeline
     steps_.report(session_, Info);
     Info<< nl;
     forces_.report(Info);
-    Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl
-        << endl;
+    Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
+    if (averages_.filter())
+    {
+        Info<< "    Grains are spread over " << averages_.filter()->length() << " m" << nl;
+    }
+    Info<< endl;
 }
 
 

@@ -113,6 +113,10 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
         }
     );
     deposit(grains, records, averages, dt);
+    if (averages.filter())
+    {
+        averages.filter()->spread(averages.cells(), exchanged_);
+    }
 
     const labelUList& cells = averages.cells().cells();
     felt_.clear();
@@ -139,7 +143,10 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
         impulse[i] = e.impulse;
         slope[i] = e.slope;
-        responseTime_[celli] = e.mass/(e.dragCoefficient + VSMALL);
+        responseTime_[celli] =
+            averages.filter() && averages.solidVolume(i) < grainFilter::tiny*V[celli]
+          ? 0
+          : e.mass/(e.dragCoefficient + VSMALL);
         dragCoefficient_[celli] = e.dragCoefficient/V[celli];
         particleMomentumSource_[celli] = -e.impulse/(dt*V[celli]);
     }

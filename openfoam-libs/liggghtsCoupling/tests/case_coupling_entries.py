@@ -50,6 +50,7 @@ VOID_FRACTION = {
     "model": Entry("choice", "divided", required=True),
     "minimum": Entry("fraction", "0.3"),
     "equations": Entry("choice", "neglected"),
+    "filter": Entry("dictionary", "{ length 0; }"),
 }
 
 CHEN_WOOD = {
@@ -98,9 +99,9 @@ class Entries(bad_case.BadCase):
                     self.assertRuns(folder, ranks=ranks)
 
     def test_every_entry_of_the_page_is_covered(self):
-        """And the other way round: the page has all that the test knows."""
-        self.assertEqual(sorted(table_of_page(PAGE.read_text(), "Entries")),
-                         sorted(ENTRIES))
+        """And the other way round: the page has all that the test knows. Rows of sub-dictionaries have a bracket."""
+        names = table_of_page(PAGE.read_text(), "Entries")
+        self.assertEqual(sorted(name for name in names if "{" not in name), sorted(ENTRIES))
 
     def test_every_entry_of_the_library_is_covered(self):
         """The words that it offers after a misspelt one are those of the tables here."""

@@ -104,7 +104,10 @@ void Foam::cellAverages::setSolidsFlux()
     {
         const label celli = occupied_.cells()[i];
         const content& c = contents_[i];
-        flux[celli] = (1 - voidFraction_[celli])*(c.flux/c.volume);
+        flux[celli] =
+            filter_
+          ? filteredFlux(c, q.mesh().V()[celli])
+          : (1 - voidFraction_[celli])*(c.flux/c.volume);
     }
     q.correctBoundaryConditions();
     q.instance() = q.time().timeName();
@@ -118,6 +121,20 @@ void Foam::cellAverages::setSolidsFlux()
 }
 
 
+Foam::vector Foam::cellAverages::filteredFlux
+(
+    const content& c,
+    const scalar V
+) const
+{
+    // Exact where the void fraction is not cut, also with next to no grains
+    const scalar solid = c.volume/V;
+    scalar cut = 0;
+    model_->limited(solid, cut);
+    return (cut > 0 ? 1 - cut/solid : 1)*c.flux/V;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellAverages::cellAverages
@@ -127,6 +144,7 @@ Foam::cellAverages::cellAverages
 )
 :
     model_(voidFractionModel::New(modelDict(dict), locator)),
+    filter_(grainFilter::New(modelDict(dict), fvMeshOf(locator))),
     shares_(locator),
     occupied_(locator.mesh().nCells()),
     voidFraction_
@@ -179,7 +197,7 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
     {
         return content
         {
-            grain.volume(), grain.mass, grain.mass*grain.velocity, grain.volume()*grain.velocity
+            grain.volume(), grain.volume()*grain.velocity, grain.mass, grain.mass*grain.velocity
         };
     };
     const auto add =
@@ -219,6 +237,10 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
         [&](const label g){ return contentOf(grains.grain(g)); },
         add
     );
+    if (filter_)
+    {
+        filter_->spread(occupied_, contents_, solidsFlux_ ? content::ofFlux : content::ofVolume);
+    }
 
     scalarField& eps = voidFraction_.primitiveFieldRef();
     vectorField& velocity = particleVelocity_.primitiveFieldRef();
@@ -242,7 +264,8 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
         const scalar solid = c.volume/V[celli];
         scalar cut = 0;
 
-        velocity[celli] = c.momentum/c.mass;
+        velocity[celli] =
+            filter_ && c.mass <= 0 ? vector(Zero) : c.momentum/c.mass;
         eps[celli] = model_->limited(solid, cut);
         result.volumeCut += cut*V[celli];
         result.maxSolidFraction = max(result.maxSolidFraction, solid);

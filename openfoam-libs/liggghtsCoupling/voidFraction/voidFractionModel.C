@@ -6,6 +6,7 @@
 
 #include "voidFractionModel.H"
 #include "couplingEntries.H"
+#include "grainFilter.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -38,6 +39,11 @@ Foam::knownEntries::table withCommon(const Foam::knownEntries::table& entries)
         "equations",
         knownEntries::rule(Foam::wordList({"full", "neglected"}))
        .means("the void fraction in the fluid's equations").like("full")
+    );
+    known.insert
+    (
+        "filter",
+        knownEntries::rule(knownEntries::valueType::DICTIONARY).like("{ length 0; }")
     );
     return known;
 }
@@ -96,6 +102,7 @@ void Foam::voidFractionModel::checkEntries(const dictionary& dict)
     {
         knownEntries::check(dict, withCommon(*entries));
     }
+    grainFilter::checkEntries(dict);
 }
 
 
