@@ -27,10 +27,10 @@ Place at(const double (&offset)[3], double size, bool linear)
 double velocity(const Response &response, const Place &place, double D, double P, int steps)
 {
   const Step step(response, place, D, P * D);
-  double a[2] = {0.0, 0.0};
-  for (int n = 0; n < steps; n++)
-    for (int i = 0; i < 2; i++) a[i] = (a[i] + D) * step.kept[i];
-  return step.weight[0] * a[0] + step.weight[1] * a[1];
+  double a[2] = {0.0, 0.0}, owed = 0.0, u = 0.0;
+  for (int n = 0; n < steps; n++) u = step.advance(D, 0.0, a, owed);
+  EXPECT_EQ(owed, 0.0);
+  return u;
 }
 
 }
@@ -135,4 +135,28 @@ TEST(OwnWake, EndDoesNotDependOnTheStep)
 {
   const Place place = at(MIDDLE, 0.2, true);
   EXPECT_NEAR(velocity(CELL_POINT, place, 1.0, 0.0, 1000) / velocity(CELL_POINT, place, 0.01, 0.0, 10000), 1.0, 1e-6);
+}
+
+// At rest, for any stiffness: the end is that of an explicit source, and nothing is owed any more
+TEST(OwnWake, StiffDragComesLaterButWhole)
+{
+  const Place place = at(MIDDLE, 0.2, true);
+  const double exact = velocity(CELL_POINT, place, 0.1, 0.0, 5000);
+  const Step step(CELL_POINT, place, 0.1, 0.0);
+  for (double kappa : {0.1, 1.0, 10.0, 100.0}) {
+    double a[2] = {0.0, 0.0}, owed = 0.0;
+    const double first = step.advance(0.1, kappa, a, owed);
+    double answer = 0.0, whole = 0.0;
+    for (int i = 0; i < 2; i++) {
+      answer += step.ofCell[i] * step.still[i];
+      whole += 0.1 * step.weight[i] * step.kept[i];
+    }
+    EXPECT_NEAR(first * (1.0 + kappa * answer) / whole, 1.0, 1e-12) << kappa;
+    EXPECT_NEAR(owed / (0.1 * kappa * answer / (1.0 + kappa * answer)), 1.0, 1e-12) << kappa;
+
+    double u = 0.0;
+    for (int n = 0; n < 100000; n++) u = step.advance(0.1, kappa, a, owed);
+    EXPECT_NEAR(u / exact, 1.0, 1e-6) << kappa;
+    EXPECT_NEAR(owed, 0.0, 1e-6) << kappa;
+  }
 }

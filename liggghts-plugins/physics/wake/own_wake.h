@@ -53,6 +53,7 @@ constexpr Response CELL_POINT = {
    out axis by axis for a cell that is a box.                                              */
 struct Place {
   double pairs[4];
+  double inside[4];         // the same if the value of the cell is sampled
 
   // offset: from the middle of the cell over half of its side, along each axis. radius: of the
   // body over half of the side along each axis, 0 if its force is not divided. linear: sampled by
@@ -68,7 +69,7 @@ struct Place {
       beyond[k] = in * in * (2.0 * R + room) / (4.0 * R * R * R + 1e-300);
     }
 
-    double inside[4] = {1.0, 0.0, 0.0, 0.0};
+    for (int n = 0; n < 4; n++) inside[n] = n == 0 ? 1.0 : 0.0;
     for (int k = 0; k < 3; k++) multiply(inside, 1.0 - beyond[k], beyond[k]);
     if (!linear) {
       for (int n = 0; n < 4; n++) pairs[n] = inside[n];
@@ -95,20 +96,55 @@ struct Place {
 
 /* One time step of the fluid. The solver treats diffusion implicitly, and so do the modes:
 
-       a_i' = (a_i + J/(rho V)) kept_i,    J = F dt the impulse of the step
-       u = sum over i of weight_i a_i                                                       */
+       a_i' = (a_i + R/(rho V)) kept_i,    R the impulse that the fluid gets in the step
+       u = sum over i of weight_i a_i
+
+   R is what the body gives, J, if the source of the momentum equation is explicit. If it is linearised in the
+   velocity U of the cell with a slope K, with a debt d that later steps pay,
+
+       R  = J + w d - K dt (U' - U),    d' = (1 - w) d + K dt (U' - U),    w = 1/(1 + K dt/(rho V))
+
+   and what the body does to U' - U is known from the modes, too: the cell stays where it is, so that only
+   viscosity fades them there, by still_i.                                                     */
 struct Step {
   double kept[2], weight[2];
+  double still[2], ofCell[2];
 
   // D: nu dt/L^2. C: w dt/L
   Step(const Response &r, const Place &place, double D, double C)
   {
     for (int i = 0; i < 2; i++) {
       const double fading = D / r.t[i], leaving = C / r.l[i];
+      still[i] = 1.0 / (1.0 + fading);
       kept[i] = std::exp(fading - std::sqrt(fading * fading + leaving * leaving)) / (1.0 + fading);
-      weight[i] = 0.0;
-      for (int n = 0; n < 4; n++) weight[i] += r.k[i][n] * place.pairs[n];
+      weight[i] = ofCell[i] = 0.0;
+      for (int n = 0; n < 4; n++) {
+        weight[i] += r.k[i][n] * place.pairs[n];
+        ofCell[i] += r.k[i][n] * place.inside[n];
+      }
     }
+  }
+
+  // Advance the modes a of one component.
+  // given: J/(rho V). kappa: K dt/(rho V), 0 for an explicit source. owed: d/(rho V)
+  // Returns u
+  double advance(double given, double kappa, double (&a)[2], double &owed) const
+  {
+    const double w = 1.0 / (1.0 + kappa);
+    double fades = 0.0, answer = 0.0;
+    for (int i = 0; i < 2; i++) {
+      fades += ofCell[i] * (1.0 - still[i]) * a[i];
+      answer += ofCell[i] * still[i];
+    }
+    const double received = (given + w * owed + kappa * fades) / (1.0 + kappa * answer);
+    owed = (1.0 - w) * owed + kappa * (answer * received - fades);
+
+    double u = 0.0;
+    for (int i = 0; i < 2; i++) {
+      a[i] = (a[i] + received) * kept[i];
+      u += weight[i] * a[i];
+    }
+    return u;
   }
 };
 

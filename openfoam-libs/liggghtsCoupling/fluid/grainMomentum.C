@@ -37,4 +37,26 @@ Foam::autoPtr<Foam::grainMomentum> Foam::grainMomentum::New
 }
 
 
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::grainMomentum::slope
+(
+    const scalar reacting,
+    const scalar all,
+    const scalar grain,
+    const scalar added,
+    const scalar dt,
+    const scalar e
+)
+{
+    if (reacting <= 0)
+    {
+        return 0;
+    }
+    const scalar mass = grain + added;
+    const scalar response = -std::expm1(-all/e*dt/mass);
+    return max(reacting/all*(mass/dt*response) - added/dt*response, 0.0);
+}
+
+
 // ************************************************************************* //

@@ -25,20 +25,16 @@ void Foam::momentumExchange::deposit
         [&](const label g){ return grains.cell(g); },
         [&](const label g)
         {
-            // Of all that drag gives to a grain, the reaction of this share goes to the fluid,
-            // less what its added mass takes up for the fluid
             const grainForces::record& r = records[g];
-            const scalar mass = r.mass + r.addedMass;
             scalar slope = 0;
-            if (twoWay_ && r.dragCoefficient > 0)
+            if (twoWay_)
             {
-                const scalar response =
-                    -std::expm1(-r.allCoefficients/r.voidFraction*dt/mass);
-                slope =
-                    r.dragCoefficient/r.allCoefficients*(mass/dt*response)
-                  - r.addedMass/dt*response;
+                slope = grainMomentum::slope
+                (
+                    r.dragCoefficient, r.allCoefficients, r.mass, r.addedMass, dt, r.voidFraction
+                );
             }
-            return exchanged{impulse_[g], r.dragCoefficient, max(slope, 0.0), mass};
+            return exchanged{impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass};
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {

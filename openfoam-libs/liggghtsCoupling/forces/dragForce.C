@@ -34,6 +34,15 @@ Foam::string Foam::dragForce::summary() const
 }
 
 
+void Foam::dragForce::prepare()
+{
+    if (wake_)
+    {
+        wake_->prepare();
+    }
+}
+
+
 void Foam::dragForce::add(grainBatch& grains) const
 {
     if (wake_)
@@ -62,6 +71,14 @@ void Foam::dragForce::add(grainBatch& grains) const
     }
 }
 
+
+void Foam::dragForce::remember(grainBatch& grains) const
+{
+    if (wake_)
+    {
+        wake_->remember(grains);
+    }
+}
 
 
 // ************************************************************************* //

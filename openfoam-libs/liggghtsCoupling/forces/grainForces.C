@@ -313,6 +313,10 @@ Foam::scalar Foam::grainForces::act
         {
             dispersion_->remember(batch);
         }
+        for (const grainForce& force : forces_)
+        {
+            force.remember(batch);
+        }
         checkCoefficients(batch);
 
         for (label i = 0; i < batch.n; ++i)

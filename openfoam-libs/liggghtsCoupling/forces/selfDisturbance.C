@@ -9,6 +9,9 @@
 #include "couplingEntries.H"
 #include "dragForce.H"
 #include "entryError.H"
+#include "implicitMomentum.H"
+#include "StringStream.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -16,6 +19,13 @@ namespace Foam
 {
 namespace
 {
+
+// Own wakes over slips, both summed over grains and intervals, above which the slip is uncertain. Grains
+// for which the model is made stay below 1.5
+constexpr scalar uncertainWake = 2;
+
+// K dt/(rho V) above which such wakes make the fluid diverge
+constexpr scalar stiff = 2;
 
 word interpolationOf(const dictionary& coupling)
 {
@@ -77,6 +87,13 @@ bool Foam::selfDisturbance::wanted(const dictionary& coupling)
                     << " interpolation cellPoint or cell, or remove selfDisturbance"
                     << exit(FatalIOError);
             }
+            if (voidFractionEquations::full(coupling))
+            {
+                FatalIOErrorInEntry(coupling, "selfDisturbance")
+                    << "selfDisturbance yes with equations full of voidFraction: the wake is known"
+                    << " for equations without void fraction only. Remove selfDisturbance, or set"
+                    << " equations neglected" << exit(FatalIOError);
+            }
         }
     );
     return true;
@@ -95,7 +112,16 @@ Foam::selfDisturbance::selfDisturbance(forceNeeds& needs)
     halfSide_(halfSides(needs.mesh())),
     rho_(needs.quantity("rho")),
     nuEff_(needs.quantity("nuEff")),
-    modes_(needs.state("ownWake", scalarList(9, 0.0)))
+    state_(needs.state("ownWake", scalarList(13, 0.0))),
+    implicit_
+    (
+        needs.coupling().lookupOrDefault<word>("momentum", "implicit")
+     == implicitMomentum::typeName
+    ),
+    warned_(false),
+    wakes_(0),
+    slips_(0),
+    stiffness_(0)
 {
     needs.impulse();
 }
@@ -140,14 +166,53 @@ void Foam::selfDisturbance::check
 }
 
 
+void Foam::selfDisturbance::prepare()
+{
+    vector sums(wakes_, slips_, stiffness_);
+    reduce(sums, sumOp<vector>());
+
+    const scalar ratio = sums[0]/max(sums[1], VSMALL);
+    const scalar kappa = sums[2]/max(sums[1], VSMALL);
+    if (ratio <= uncertainWake || (warned_ && kappa <= stiff))
+    {
+        return;
+    }
+    OStringStream message;
+    message
+        << "selfDisturbance, time " << mesh_.time().timeName() << ": the fluid that grains pull"
+        << " along themselves is " << ratio << " times as fast as their slip, in the mean over the run. ";
+    const char* remedy =
+        " Use larger cells, a smaller coarse-graining ratio, or remove selfDisturbance";
+
+    if (kappa > stiff)
+    {
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalErrorInFunction
+                    << message.str().c_str() << "With drag as stiff as here, K dt/(rho V) = " << kappa
+                    << ", the fluid would diverge." << remedy << exit(FatalError);
+            }
+        );
+    }
+    warned_ = true;
+    WarningInFunction
+        << message.str().c_str() << "Above " << uncertainWake << " small errors of the wake are large"
+        << " ones of the slip." << remedy << nl << endl;
+}
+
+
 void Foam::selfDisturbance::correct(grainBatch& grains) const
 {
     typedef grainBatch::lane lane;
 
     const lane& rho = *grains.fluid(rho_);
     const lane& nuEff = *grains.fluid(nuEff_);
-    lane* modes = grains.state(modes_);
+    lane* modes = grains.state(state_);
     lane* seen = modes + 6;
+    lane* owed = modes + 9;
+    const lane& slope = modes[12];
     const scalarField& V = mesh_.V();
     const vectorField& C = mesh_.cellCentres();
     const scalar dt = fluid_.previousStep();
@@ -159,13 +224,13 @@ void Foam::selfDisturbance::correct(grainBatch& grains) const
         const scalar side = std::cbrt(volume);
 
         // Speed relative to the fluid as it was undisturbed until now, and place in the cell
-        scalar sqr = 0;
+        scalar undisturbed = 0;
         scalar offset[3], radius[3];
         for (direction k = 0; k < 3; ++k)
         {
             const scalar slip =
                 grains.fluidVelocity[k][i] - seen[k][i] - grains.velocity[k][i];
-            sqr += slip*slip;
+            undisturbed += sqr(slip);
             offset[k] = (grains.position[k][i] - C[celli][k])/halfSide_[celli][k];
             radius[k] = divided_ ? grains.radius[i]/halfSide_[celli][k] : 0;
         }
@@ -174,21 +239,54 @@ void Foam::selfDisturbance::correct(grainBatch& grains) const
             response_,
             grainjet::wake::Place(offset, radius, linear_),
             nuEff[i]*dt/(side*side),
-            std::sqrt(sqr)*dt/side
+            std::sqrt(undisturbed)*dt/side
         );
 
+        const scalar mass = rho[i]*volume;
+        const scalar kappa = slope[i]*dt/mass;
+        scalar wake = 0;
+        scalar slip = 0;
         for (direction k = 0; k < 3; ++k)
         {
-            const scalar given = -grains.impulse[k][i]/(rho[i]*volume);
-            seen[k][i] = 0;
-            for (direction mode = 0; mode < 2; ++mode)
-            {
-                scalar& a = modes[k + 3*mode][i];
-                a = (a + given)*step.kept[mode];
-                seen[k][i] += step.weight[mode]*a;
-            }
+            scalar a[2] = {modes[k][i], modes[k + 3][i]};
+            scalar debt = owed[k][i]/mass;
+            seen[k][i] = step.advance(-grains.impulse[k][i]/mass, kappa, a, debt);
+            modes[k][i] = a[0];
+            modes[k + 3][i] = a[1];
+            owed[k][i] = debt*mass;
             grains.fluidVelocity[k][i] -= seen[k][i];
+
+            wake += sqr(seen[k][i]);
+            slip += sqr(grains.fluidVelocity[k][i] - grains.velocity[k][i]);
         }
+        if (i < grains.n)
+        {
+            wakes_ += std::sqrt(wake);
+            slips_ += std::sqrt(slip);
+            stiffness_ += kappa*std::sqrt(slip);
+        }
+    }
+}
+
+
+void Foam::selfDisturbance::remember(grainBatch& grains) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    grainBatch::lane& slope = grains.state(state_)[12];
+
+    for (label i = 0; i < grainBatch::size; ++i)
+    {
+        slope[i] =
+            implicit_
+          ? grainMomentum::slope
+            (
+                grains.Sp[i],
+                grains.Sp[i] + grains.nonReactingSp[i],
+                grains.mass[i],
+                grains.addedMass[i],
+                dt
+            )
+          : 0;
     }
 }
 
