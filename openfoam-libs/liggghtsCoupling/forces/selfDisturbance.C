@@ -20,8 +20,7 @@ namespace Foam
 namespace
 {
 
-// Own wakes over slips, both summed over grains and intervals, above which the slip is uncertain. Grains
-// for which the model is made stay below 1.5
+// Own wakes over slips, both summed over grains and intervals, above which the slip is uncertain
 constexpr scalar uncertainWake = 2;
 
 // K dt/(rho V) above which such wakes make the fluid diverge
