@@ -12,7 +12,7 @@ import unittest
 
 import numpy
 
-import case_full_equations as full
+import crowded_box
 from grainjet import coupled_box as box, dictionaries
 
 LENGTH = 6e-3                       # three cells of the box of 10 x 10 x 20 cells
@@ -162,10 +162,10 @@ class Filter(box.CoupledCase):
         """What the grains gain in a periodic box is what the fluid between them loses, as without a filter
         (case_full_equations): to the tolerance of the solvers."""
         folder = self.run_box(
-            steps=12, write_every=4, grains=full.crowd(), diameter=DIAMETER, nu=1e-5, correctors=full.CONVERGED,
+            steps=12, write_every=4, grains=crowded_box.crowd(), diameter=DIAMETER, nu=1e-5, correctors=crowded_box.CONVERGED,
             options={"voidFraction": void_fraction(LENGTH)})
         times = sorted(folder.glob("*/solidsFlux"), key=lambda path: float(path.parent.name))
-        first, last = (full.FullEquations.of_fluid(self, path.parent, 1.2) for path in (times[0], times[-1]))
+        first, last = (crowded_box.of_fluid(path.parent, 1.2) for path in (times[0], times[-1]))
         table = box.read_balance(folder)
         gained = numpy.array([sum(table[f"toGrains_{c}"][4:12]) for c in "xyz"])
         passed = sum(abs(p) for p in table["toGrains_z"][4:12])
@@ -176,13 +176,13 @@ class Filter(box.CoupledCase):
     def test_uniform_motion(self):
         """Fluid and grains that move alike: volumes of cells follow the grains in jumps, which make the velocity
         uneven. With the filter a hundred times less."""
-        x, _ = full.crowd(3000, height=0.04)
+        x, _ = crowded_box.crowd(3000, height=0.04)
         uneven = []
         for length in (LENGTH, 0):
             folder = self.run_box(
                 steps=20, grains=(x, [(0, 0, 0.5)] * len(x)), diameter=DIAMETER, rho="rho [1 -3 0 0 0 0 0] 1000;",
                 velocity="(0 0 0.5)", nu=1e-6, options={"voidFraction": void_fraction(length)})
-            speeds = full.values(folder / "0.002/fluidVelocity") - [0, 0, 0.5]
+            speeds = crowded_box.values(folder / "0.002/fluidVelocity") - [0, 0, 0.5]
             uneven.append(abs(speeds).max() / 0.5)
         print(f"velocity off by {uneven[0]:.1e} of its value, without a filter {uneven[1]:.1e}")
         self.assertLess(uneven[0], 1e-5)

@@ -6,46 +6,18 @@ through fluid at rest, stiff drag, restart, ranks, and what is refused. For fixe
 # processors: 4
 # label: long
 
-import math
 import random
-import re
 import unittest
 
 import numpy
 
-import grainjet
+from crowded_box import CONVERGED, crowd, of_fluid, values
 from grainjet import coupled_box as box, dictionaries
 
 FULL = box.void_fraction("full")
-CELL_VOLUME = 0.002 ** 3            # of the box of 10 x 10 x 20 cells
-CONVERGED = "nOuterCorrectors 30; nCorrectors 2;"
-
-
-def crowd(n=5000, seed=3, height=0.02):
-    """Grains of 1 mm that overlap as they please, without contacts: up to the least void fraction."""
-    rng = random.Random(seed)
-    x = [[rng.uniform(0, a) for a in (0.02, 0.02, height)] for _ in range(n)]
-    v = [[rng.gauss(mean, 0.2) for mean in (0, 0, 0.5)] for _ in range(n)]
-    return x, v
-
-
-def values(path):
-    """A field of the cells as an array, also one without boundary."""
-    text = path.read_text()
-    found = text[re.search(r"\b(internalField|value)\s", text).start():]
-    if "nonuniform" not in found[:40]:
-        return numpy.zeros((1, 3))
-    rows = re.findall(r"^\(([^()\n]+)\)$", found, re.M)
-    return numpy.array([[float(c) for c in row.split()] for row in rows])
 
 
 class FullEquations(box.CoupledCase):
-
-    def of_fluid(self, folder, rho):
-        """Momentum of the fluid between the grains, rho (U - q) V, with what it is still owed, in N s."""
-        sums = values(folder / "U").sum(0) - values(folder / "solidsFlux").sum(0)
-        debts = (values(folder / name).sum(0) for name in ("particleMomentumOwed", "momentumOfShares"))
-        return rho * CELL_VOLUME * sums + sum(debts)
 
     def test_momentum(self):
         """In a periodic box without gravity what the grains gain, from their velocities, is what the fluid between
@@ -57,7 +29,7 @@ class FullEquations(box.CoupledCase):
                     steps=12, write_every=4, grains=(x, v), diameter=1e-3, nu=1e-5, correctors=CONVERGED,
                     rho=f"rho [1 -3 0 0 0 0 0] {rho};", options={"forces": forces, "voidFraction": FULL})
                 times = sorted(folder.glob("*/solidsFlux"), key=lambda path: float(path.parent.name))
-                first, last = (self.of_fluid(path.parent, rho) for path in (times[0], times[-1]))
+                first, last = (of_fluid(path.parent, rho) for path in (times[0], times[-1]))
                 table = box.read_balance(folder)
                 steps = slice(4, 12)
                 gained = numpy.array([sum(table[f"toGrains_{c}"][steps]) for c in "xyz"])
