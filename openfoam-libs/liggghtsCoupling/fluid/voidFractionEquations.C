@@ -9,16 +9,11 @@
 #include "convectionScheme.H"
 #include "couplingEntries.H"
 #include "ddtScheme.H"
-#include "fvcDiv.H"
-#include "fvcLaplacian.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
-#include "fvmLaplacian.H"
 #include "fvMatrices.H"
-#include "gradScheme.H"
 #include "linear.H"
-#include "turbulenceModel.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -99,50 +94,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::voidFractionEquations::fluxOfFluid() c
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
-(
-    const volVectorField& velocity
-) const
-{
-    const word& name = fluid_.UName();
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
-    const tmp<volTensorField> tgradient
-    (
-        // Not from the cache, where the gradient of U has this name
-        fv::gradScheme<vector>::New
-        (
-            fluid_.mesh(), fluid_.mesh().gradScheme("grad(" + name + ')')
-        )().calcGrad(velocity, "grad(" + velocity.name() + ')')
-    );
-    return
-        fvc::laplacian(tnuEff(), velocity, "laplacian(nuEff," + name + ')')
-      + fvc::div
-        (
-            tnuEff()*dev2(T(tgradient)),
-            "div((nuEff*dev2(T(grad(" + name + ")))))"
-        );
-}
-
-
 void Foam::voidFractionEquations::update()
 {
     setFluidVelocity(fluidVelocity_);
-}
-
-
-void Foam::voidFractionEquations::follow
-(
-    volVectorField& felt,
-    const volVectorField& present
-) const
-{
-    const scalarField& e = voidFraction_.primitiveField();
-    felt.primitiveFieldRef() =
-        hasFelt_
-      ? tmp<vectorField>(e*present.primitiveField() + (1 - e)*felt.primitiveField())
-      : tmp<vectorField>(present.primitiveField());
-    felt.correctBoundaryConditions();
-    felt.instance() = felt.time().timeName();
 }
 
 
@@ -180,50 +134,6 @@ void Foam::voidFractionEquations::smooth()
         unpaid -= share*unpaid;
     }
     unpaid_.instance() = mesh.time().timeName();
-}
-
-
-Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChange() const
-{
-    const volVectorField& U = fluid_.U();
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
-    tmp<fvMatrix<vector>> tmatrix
-    (
-        fvm::laplacian(tnuEff(), U, "laplacian(nuEff," + fluid_.UName() + ')')
-    );
-    fvMatrix<vector>& matrix = tmatrix.ref();
-
-    // Acts on (1/e - 1) U: each coefficient belongs to the cell that it multiplies
-    const volScalarField factor(1/voidFraction_ - 1);
-    const lduAddressing& address = matrix.lduAddr();
-    scalarField& lower = matrix.lower();
-    scalarField& upper = matrix.upper();
-    forAll(upper, facei)
-    {
-        upper[facei] *= factor[address.upperAddr()[facei]];
-        lower[facei] *= factor[address.lowerAddr()[facei]];
-    }
-    matrix.diag() *= factor.primitiveField();
-    matrix.source() = Zero;
-    forAll(factor.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& patch = factor.boundaryField()[patchi];
-        matrix.internalCoeffs()[patchi] *= patch.patchInternalField();
-        if (patch.coupled())
-        {
-            matrix.boundaryCoeffs()[patchi] *= patch.patchNeighbourField();
-        }
-    }
-    return tmatrix;
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
-{
-    const tmp<volScalarField> trho(fluid_.rho());
-    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
-    const tmp<volVectorField> tgradP(fluid_.gradP());
-    return trho().primitiveField()*tviscous().primitiveField() - tgradP().primitiveField();
 }
 
 
