@@ -10,7 +10,7 @@ import unittest
 import grainjet
 
 CHECK = grainjet.ROOT / "validation/compilers/compile_check.py"
-LIBRARIES = 3
+LIBRARIES = 6
 
 
 class Labels(grainjet.Case):
