@@ -49,6 +49,40 @@ IOobject continuedHeader(const word& name, const carrierFluid& fluid)
     );
 }
 
+
+// A bounded scheme takes the divergence of the flux out of the equation. That of the fluid between the grains
+// is the rate at which their shares change, with the momentum that belongs to it
+void checkConvection(const carrierFluid& fluid)
+{
+    const dictionary schemes(fluid.mesh().schemesDict().subOrEmptyDict("divSchemes"));
+    const word convection
+    (
+        "div(" + fluid.momentumFlux().name() + ',' + fluid.UName() + ')'
+    );
+    for (const word& key : {convection, word("default")})
+    {
+        if (!schemes.found(key))
+        {
+            continue;
+        }
+        const token first(schemes.lookup(key)[0]);
+        if (first.isWord() && first.wordToken() == "bounded")
+        {
+            couplingEntries::onMaster
+            (
+                [&]()
+                {
+                    FatalIOErrorInEntry(schemes, key)
+                        << "divSchemes: " << convection << " is bounded, with which equations full"
+                        << " would not keep the momentum of fluid and grains. Take the same scheme"
+                        << " without the word bounded" << exit(FatalIOError);
+                }
+            );
+        }
+        return;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -219,6 +253,7 @@ Foam::voidFractionEquations::voidFractionEquations
     smoothing_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {
+    checkConvection(fluid);
     fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
 }
 
