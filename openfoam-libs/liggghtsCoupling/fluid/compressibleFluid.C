@@ -7,6 +7,7 @@
 #include "compressibleFluid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "couplingEntries.H"
+#include "fluidKinds.H"
 #include "fvcDiv.H"
 #include "fvcLaplacian.H"
 #include "fvMatrices.H"
@@ -22,6 +23,10 @@ namespace Foam
     const knownEntries::ofModel compressibleEntries
     (
         carrierFluid::typeName_(), compressibleFluid::typeName_()
+    );
+    const fluidKinds compressibleKind
+    (
+        compressibleFluid::typeName_(), "rhoPimpleFoam, sonicFoam", &compressibleFluid::misfit
     );
 }
 
@@ -199,12 +204,30 @@ Foam::compressibleFluid::compressibleFluid
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
-bool Foam::compressibleFluid::found(const fvMesh& mesh)
+Foam::string Foam::compressibleFluid::missing(const fvMesh& mesh)
 {
+    if (!mesh.foundObject<regIOobject>(thermoName))
+    {
+        return "it has not read constant/" + thermoName;
+    }
+    if (!mesh.foundObject<volScalarField>(rhoName))
+    {
+        return "it has no field of density, " + rhoName;
+    }
+    if (!isMassFlux(mesh.cfindObject<surfaceScalarField>(phiName)))
+    {
+        return "it has no flux of mass, " + phiName + " in kg/s";
+    }
+    return string();
+}
+
+
+Foam::string Foam::compressibleFluid::misfit(const fvMesh& mesh)
+{
+    const string what(missing(mesh));
     return
-        mesh.foundObject<regIOobject>(thermoName)
-     && mesh.foundObject<volScalarField>(rhoName)
-     && isMassFlux(mesh.cfindObject<surfaceScalarField>(phiName));
+        what.empty() && mesh.foundObject<volScalarField>("p_rgh")
+      ? string("it solves for p_rgh, the pressure without its hydrostatic part") : what;
 }
 
 
