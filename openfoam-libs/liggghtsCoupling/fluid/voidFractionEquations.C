@@ -103,15 +103,25 @@ void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
             continue;
         }
 
-        // The fluid between the grains has the velocity of the wall there
-        ub =
-            isA<wallFvPatch>(Ub.patch())
-          ? vectorField(Ub)
-          : vectorField
-            (
-                (Ub - solidsFlux_.boundaryField()[patchi])
-               /voidFraction_.boundaryField()[patchi]
-            );
+        // At a wall without slip the fluid between the grains has the velocity of the wall
+        const bool wall = isA<wallFvPatch>(Ub.patch());
+        if (wall && Ub.fixesValue())
+        {
+            ub = vectorField(Ub);
+            continue;
+        }
+
+        vectorField between
+        (
+            (Ub - solidsFlux_.boundaryField()[patchi])
+           /voidFraction_.boundaryField()[patchi]
+        );
+        if (wall)
+        {
+            const vectorField n(Ub.patch().nf());
+            between -= n*(n & between);
+        }
+        ub = between;
     }
     u.correctBoundaryConditions();
 }
