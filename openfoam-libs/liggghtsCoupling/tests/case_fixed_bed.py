@@ -17,6 +17,7 @@ import tempfile
 import unittest
 
 import grainjet
+from fluid_cases import WATER, inter_foam
 from grainjet import coupled_box as box, dictionaries
 
 RHO, NU = 1.2, 1.5e-5
@@ -84,12 +85,13 @@ LAWS = {"Ergun": None, "Gidaspow": gidaspow, "DiFelice": di_felice, "KochHill": 
 class Bed:
     """A bed of solid fraction alpha, crossed at the Reynolds number U d/nu."""
 
-    def __init__(self, alpha, reynolds):
+    def __init__(self, alpha, reynolds, rho=RHO, nu=NU):
+        self.rho, self.nu = rho, nu
         self.eps = 1 - alpha
         self.diameter = SPACING * (6 * alpha / math.pi) ** (1 / 3)
-        self.velocity = reynolds * NU / self.diameter
-        self.viscous = 150 * RHO * NU * alpha ** 2 * self.velocity / self.diameter ** 2
-        self.inertial = 1.75 * RHO * alpha * self.velocity ** 2 / self.diameter
+        self.velocity = reynolds * nu / self.diameter
+        self.viscous = 150 * rho * nu * alpha ** 2 * self.velocity / self.diameter ** 2
+        self.inertial = 1.75 * rho * alpha * self.velocity ** 2 / self.diameter
 
     def ergun(self):
         """- dp/dz in Pa/m, Ergun, Chem. Eng. Prog. 48 (1952) 89, with the superficial velocity."""
@@ -99,8 +101,8 @@ class Bed:
         """- dp/dz in Pa/m of a drag law, drag over eps."""
         if LAWS[name] is None:
             return self.ergun()
-        alpha, reynolds = 1 - self.eps, self.velocity * self.diameter / NU
-        return 18 * RHO * NU * alpha * self.velocity / self.diameter ** 2 * LAWS[name](self.eps, reynolds)
+        alpha, reynolds = 1 - self.eps, self.velocity * self.diameter / self.nu
+        return 18 * self.rho * self.nu * alpha * self.velocity / self.diameter ** 2 * LAWS[name](self.eps, reynolds)
 
     def stock(self, pressure_gradient):
         """- dp/dz in Pa/m of the solver's equation, - grad p = drag (- alpha grad p), where the drag
@@ -111,20 +113,21 @@ class Bed:
     def time_step(self):
         """A fifth of a cell, and half the time in which drag stops the fluid: with longer steps the
         implicit source, whose correction comes one step late, rings for longer than the run."""
-        rate = self.stock(False) / (RHO * self.velocity)
+        rate = self.stock(False) / (self.rho * self.velocity)
         return float(f"{min(0.2 * CELL / self.velocity, 0.5 / rate):.6g}")
 
 
 class FixedBed(grainjet.Case):
 
-    def drop(self, bed, ranks=0, equations="neglected", drag="Ergun", steps=50, **options):
+    def drop(self, bed, ranks=0, equations="neglected", drag="Ergun", steps=50, solver="pimpleFoam",
+             **options):
         """Measured - dp/dz in the middle of the bed, Pa/m."""
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
         dt = bed.time_step()
         # Fifty steps of an incompressible fluid that has its velocity from the start: the pressure
         # gradient that grains feel is one step old, and settles by a factor alpha per step.
         # Upwind: odd-even waves from the ends of the bed would cross it with linear.
-        box.write(folder, velocity=f"(0 0 {bed.velocity!r})", nu=NU, steps=steps, delta_t=dt,
+        box.write(folder, velocity=f"(0 0 {bed.velocity!r})", nu=bed.nu, steps=steps, delta_t=dt,
                   cells=f"{ACROSS} {ACROSS} {ALONG}", through=True, convection="upwind",
                   size=[1e3 * CELL * n for n in (ACROSS, ACROSS, ALONG)])
         across = range(2 * ACROSS)
@@ -135,11 +138,13 @@ class FixedBed(grainjet.Case):
         box.script(folder, dt=dt / 10, boundary="p p f", box=f"0 {width} 0 {width} 0 {length}",
                    grains=box.grains(positions, [(0, 0, 0)] * len(positions), bed.diameter, 1e11),
                    processors="processors 1 1 2" if ranks else "")
+        if solver == "interFoam":
+            self.fill_with_water(folder, bed.velocity)
         box.fv_options(folder, drag=drag, voidFraction=box.void_fraction(equations), **options)
         self.foam("blockMesh", folder)
         if ranks:
             self.foam("decomposePar", folder)
-        self.log = self.foam("pimpleFoam", folder, ranks=ranks).output
+        self.log = self.foam(solver, folder, ranks=ranks).output
         if ranks:
             self.foam("reconstructPar", folder)
 
@@ -147,7 +152,8 @@ class FixedBed(grainjet.Case):
         for layer in MIDDLE:
             for value in self.layer(end / "voidFraction", layer):
                 self.assertAlmostEqual(value, bed.eps, delta=1e-12)
-        pressure = [RHO * sum(self.layer(end / "p", k)) / ACROSS ** 2 for k in range(ALONG)]
+        unit = 1 if solver == "interFoam" else bed.rho
+        pressure = [unit * sum(self.layer(end / "p", k)) / ACROSS ** 2 for k in range(ALONG)]
         fastest = max(u[2] for u in dictionaries.internal(end / "U")) / bed.velocity
         # Through the faces between layers
         phi = dictionaries.internal(end / "phi")
@@ -158,6 +164,17 @@ class FixedBed(grainjet.Case):
         slope = (low - high) / (CELL * (MIDDLE[1] - MIDDLE[0]))
         print(f"\nwhole bed/middle {whole / slope:.3f}, largest cell velocity {fastest:.2f} U")
         return slope
+
+    def fill_with_water(self, folder, velocity):
+        """The case of interFoam, without air; no gravity, so that p_rgh is p."""
+        inter_foam(folder, "1", walls=False, sigma=0)
+        dictionaries.change(folder / "system/fvSchemes", (
+            "divSchemes {", "divSchemes { div(rhoPhi,U) Gauss upwind;"))
+        for name, dimensions, inlet, outlet in (
+                ("p_rgh", "1 -1 -2", "type zeroGradient;", "type fixedValue; value uniform 0;"),
+                ("alpha.water", "0 0 0", "type fixedValue; value uniform 1;", "type zeroGradient;")):
+            dictionaries.write_field(folder, name, dimensions, 1 if name == "alpha.water" else 0, {
+                "[xy].*": "type cyclic;", "zlo": inlet, "zhi": outlet})
 
     def layer(self, path, k):
         return dictionaries.internal(path)[k * ACROSS ** 2:(k + 1) * ACROSS ** 2]
@@ -236,6 +253,20 @@ class FixedBed(grainjet.Case):
                       f"{measured / expected - 1:.1e}")
                 self.assertRatio(measured, expected, OF_LAW)
                 self.assertLess(self.unequal_flux, 1e-9)
+
+    def test_full_equations_inter_foam(self):
+        """interFoam full of water gives the same: its equation holds the density. Serial and on 2 ranks."""
+        for alpha, reynolds in ((0.6, 17), (0.5, 0.01), (0.3, 1000), (0.01, 17)):
+            with self.subTest(alpha=alpha, reynolds=reynolds):
+                bed = Bed(alpha, reynolds, WATER, 1e-6)
+                options = {"equations": "full", "solver": "interFoam", "forces": "(pressureGradient)",
+                           "steps": 200 if alpha >= 0.5 else 50}
+                measured = self.drop(bed, **options)
+                print(f"interFoam alpha_s {alpha} Re {reynolds}: measured/Ergun - 1 = {measured / bed.ergun() - 1:.1e}")
+                self.assertRatio(measured, bed.ergun(), OF_LAW)
+                self.assertLess(self.unequal_flux, 1e-9)
+                if alpha == 0.3:
+                    self.assertRatio(self.drop(bed, ranks=2, **options), measured, 1e-9)
 
     def test_full_equations_in_parallel(self):
         """Serial and 2 ranks, whose cut lies in the middle of the bed, to the solvers' tolerance."""

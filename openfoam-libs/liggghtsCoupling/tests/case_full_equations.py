@@ -12,6 +12,7 @@ import unittest
 import numpy
 
 from crowded_box import CONVERGED, crowd, of_fluid, values
+from fluid_cases import AIR, WATER, inter_foam, layers
 from grainjet import coupled_box as box, dictionaries
 
 FULL = box.void_fraction("full")
@@ -38,6 +39,37 @@ class FullEquations(box.CoupledCase):
                 self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
                 self.assertGreater(abs(last - first).max(), 0.1 * passed)
                 self.assertLess(min(dictionaries.internal(times[-1].parent / "voidFraction")), 0.31)
+
+    def test_momentum_of_water_and_air(self):
+        """The same in interFoam: full of water, and with grains that cross a surface between water and air."""
+        for name, alpha in (("water", "1"), ("surface", layers([1.0] * 5 + [0.5] + [0.0] * 9 + [0.3] + [1.0] * 4, 100))):
+            with self.subTest(name):
+                folder = self.new_folder()
+                box.write(folder, steps=12, write_every=4, delta_t=2e-5, correctors="nOuterCorrectors 40; nCorrectors 3;",
+                          ranks=1, decomposition="(1 1 1)")
+                inter_foam(folder, alpha, walls=False, sigma=0, water_nu=1e-5)
+                x, v = crowd(3000)
+                box.script(folder, grains=box.grains(x, v, 1e-3), dt=2e-6)
+                box.fv_options(folder, forces="(pressureGradient viscous)", voidFraction=FULL)
+                self.foam("blockMesh", folder)
+                self.foam("interFoam", folder)
+                times = sorted(folder.glob("*/solidsFlux"), key=lambda path: float(path.parent.name))
+                first, last = (self.of_mixture(path.parent) for path in (times[0], times[-1]))
+                table = box.read_balance(folder)
+                gained = numpy.array([sum(table[f"toGrains_{c}"][4:12]) for c in "xyz"])
+                passed = sum(abs(p) for p in table["toGrains_z"][4:12])
+                print(f"{name}: {abs(last - first + gained).max() / passed:.1e} of what was exchanged")
+                self.assertLess(abs(last - first + gained).max(), 1e-7 * passed)
+                self.assertLess(max(table["imbalance"]), 1e-9)
+
+    @staticmethod
+    def of_mixture(folder):
+        """Momentum of water and air between the grains with what they are owed [N s]."""
+        alpha = numpy.array(dictionaries.internal(folder / "alpha.water"))
+        rho = AIR + alpha[:, None] * (WATER - AIR)
+        flux = values(folder / "U") - values(folder / "solidsFlux")
+        debts = (values(folder / name).sum(0) for name in ("particleMomentumOwed", "momentumOfShares"))
+        return 0.002 ** 3 * (rho * flux).sum(0) + sum(debts)
 
     def test_ranks(self):
         """1, 2 and 4 ranks: the same but for the order of sums and the tolerance of the solvers. Half of the box is
