@@ -121,6 +121,51 @@ bool Foam::couplingChecks::gravity(vector& g) const
 }
 
 
+void Foam::couplingChecks::sameGravity(const vector* solver, const vector* script) const
+{
+    // Directions are written with some digits only
+    const scalar tolerance = 1e-6;
+    const vector ofScript(script ? *script : vector::zero);
+    if (!solver || mag(ofScript - *solver) <= tolerance*mag(*solver))
+    {
+        return;
+    }
+
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            const scalar size = mag(*solver);
+            FatalIOErrorInEntry(dict_, "script")
+                << "script " << script_ << ": ";
+            if (script)
+            {
+                FatalIOError << "gravity is " << *script;
+            }
+            else
+            {
+                FatalIOError << "there is no fix gravity";
+            }
+            FatalIOError
+                << ", but that of the solver (" << mesh_.time().constant() << "/g) is " << *solver
+                << " m/s2: weight and buoyancy of grains would not be of one gravity. ";
+            if (size > 0)
+            {
+                const vector n(*solver/size);
+                FatalIOError
+                    << "Write in the script\n    fix g all gravity " << size << " vector "
+                    << n.x() << ' ' << n.y() << ' ' << n.z() << "\nor change ";
+            }
+            else
+            {
+                FatalIOError << "Take fix gravity out, or change ";
+            }
+            FatalIOError << mesh_.time().constant() << "/g" << exit(FatalIOError);
+        }
+    );
+}
+
+
 void Foam::couplingChecks::anyInside(const label outside) const
 {
     const scalar present = session_.counts().present;

@@ -121,10 +121,13 @@ Foam::couplingPipeline::couplingPipeline
     start();
 
     vector g;
-    if (couplingChecks(dict, fluid.mesh(), session_).gravity(g))
+    const couplingChecks checks(dict, fluid.mesh(), session_);
+    const bool hasGravity = checks.gravity(g);
+    if (hasGravity)
     {
         fluid.setGravity(g);
     }
+    checks.sameGravity(fluid.solverGravity(), hasGravity ? &g : nullptr);
     restart_.reset
     (
         new couplingRestart
@@ -140,6 +143,7 @@ Foam::couplingPipeline::couplingPipeline
     steps_.report(session_, Info);
     Info<< nl;
     forces_.report(Info);
+    Info<< "    Fluid: " << fluid.type() << nl;
     Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
     if (averages_.filter())
     {

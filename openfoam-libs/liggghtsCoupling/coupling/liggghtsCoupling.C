@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "couplingEntries.H"
 #include "entryError.H"
+#include "fluidKinds.H"
 #include "fvMatrices.H"
 #include "switchedOffCoupling.H"
 #include "turbulenceModel.H"
@@ -132,6 +133,7 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
         fieldNames_.append(turbulence_->fields());
     }
     applied_.setSize(fieldNames_.size(), false);
+    fluidKinds::watch(mesh);
 }
 
 

@@ -6,7 +6,10 @@
 
 #include "carrierFluid.H"
 #include "couplingEntries.H"
+#include "entryError.H"
+#include "fluidKinds.H"
 #include "fvcGrad.H"
+#include "fvMatrices.H"
 #include "gradScheme.H"
 #include "surfaceFields.H"
 #include "Time.H"
@@ -39,13 +42,13 @@ Foam::dictionary coefficients(const Foam::dictionary& dict)
 }
 
 
-// The kind of fluid
+// The kind of fluid that the entry says; empty without one
 Foam::word kindOf(const Foam::dictionary& dict)
 {
     return
         dict.isDict("fluid")
       ? dict.subDict("fluid").get<Foam::word>("model")
-      : dict.lookupOrDefault<Foam::word>("fluid", "incompressible");
+      : dict.lookupOrDefault<Foam::word>("fluid", Foam::word());
 }
 
 
@@ -64,6 +67,72 @@ void checkCoefficients(const Foam::dictionary& dict, const Foam::knownEntries::t
 }
 
 } // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+template<class FieldType>
+void Foam::carrierFluid::checkField(const word& key, const dimensionSet& dimensions) const
+{
+    const word name(dict_.lookupOrDefault<word>(key, key));
+    const FieldType* field = mesh_.cfindObject<FieldType>(name);
+
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (!field)
+            {
+                FatalIOErrorInEntry(dict_, key)
+                    << key << ' ' << name << ": there is no " << FieldType::typeName
+                    << " of this name. Those that the solver has are "
+                    << flatOutput(mesh_.sortedNames<FieldType>()) << exit(FatalIOError);
+            }
+            if (field->dimensions() != dimensions)
+            {
+                FatalIOErrorInEntry(dict_, key)
+                    << key << ' ' << name << ": the field has the dimensions "
+                    << field->dimensions() << " instead of " << dimensions
+                    << ", those of the kind of fluid " << type() << ". See the entry dimensions of "
+                    << mesh_.time().timeName(mesh_.time().startTime().value())/name
+                    << exit(FatalIOError);
+            }
+        }
+    );
+}
+
+template void Foam::carrierFluid::checkField<Foam::volScalarField>
+(
+    const word&, const dimensionSet&
+) const;
+template void Foam::carrierFluid::checkField<Foam::volVectorField>
+(
+    const word&, const dimensionSet&
+) const;
+
+
+void Foam::carrierFluid::checkEquationIs
+(
+    const fvMatrix<vector>& eqn,
+    const dimensionSet& dimensions,
+    const char* what
+) const
+{
+    if (eqn.dimensions() != dimensions)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The momentum equation has the dimensions " << eqn.dimensions()
+            << ": the kind of fluid " << type() << " needs one of " << dimensions << ", " << what
+            << exit(FatalIOError);
+    }
+    if (mesh_.changing())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "liggghtsCoupling needs a mesh that does not move or change. Set dynamicFvMesh to"
+            << " staticFvMesh in " << mesh_.time().constant() << "/dynamicMeshDict"
+            << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -88,7 +157,7 @@ Foam::carrierFluid::carrierFluid
     feltGradP_(nullptr),
     feltDivTau_(nullptr)
 {
-    if (!knownEntries::stated(typeName_(), kindOf(dict)))
+    if (dict.found("fluid") && !knownEntries::stated(typeName_(), kindOf(dict)))
     {
         couplingEntries::onMaster([&](){ checkCoefficients(dict, entries); });
     }
@@ -105,7 +174,16 @@ Foam::autoPtr<Foam::carrierFluid> Foam::carrierFluid::New
 {
     couplingEntries::onMaster([&](){ checkEntries(dict); });
 
-    return autoPtr<carrierFluid>((*dictionaryConstructorTablePtr_)[kindOf(dict)](dict, mesh));
+    word kind(kindOf(dict));
+    if (kind.empty())
+    {
+        kind = fluidKinds::find(dict, mesh);
+    }
+    else
+    {
+        fluidKinds::check(kind, dict, mesh);
+    }
+    return autoPtr<carrierFluid>((*dictionaryConstructorTablePtr_)[kind](dict, mesh));
 }
 
 
@@ -128,6 +206,10 @@ void Foam::carrierFluid::checkEntries(const dictionary& dict)
     else if (dict.found("fluid"))
     {
         knownEntries::checkValue(dict, "fluid", kinds);
+    }
+    else
+    {
+        return;
     }
 
     const knownEntries::table* entries = knownEntries::stated(typeName_(), kindOf(dict));
@@ -172,6 +254,55 @@ Foam::tmp<Foam::volTensorField> Foam::carrierFluid::gradVelocity(const word& sch
         *velocity_,
         scheme + '(' + velocity_->name() + ')'
     );
+}
+
+
+void Foam::carrierFluid::checkViscosity() const
+{
+    if (!model())
+    {
+        FatalIOErrorInFunction(dict_)
+            << fluidKinds::solver().c_str() << " has no model of turbulence or of laminar flow ("
+            << turbulenceModel::propertiesName << "), from which grains take the viscosity."
+            << " Take a solver that has one, such as pimpleFoam or interFoam"
+            << exit(FatalIOError);
+    }
+
+    const tmp<volScalarField> tnu(nu());
+    const scalar low = gMin(tnu().primitiveField());
+    const scalar high = gMax(tnu().primitiveField());
+    if (!(low >= smallest && high <= largest))
+    {
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "nu, the viscosity of the fluid (" << mesh_.time().constant()
+                    << "/transportProperties), is " << low << " to " << high
+                    << " m2/s. Drag on grains needs one that is positive and within " << smallest
+                    << " to " << largest << exit(FatalIOError);
+            }
+        );
+    }
+}
+
+
+const Foam::volVectorField& Foam::carrierFluid::U() const
+{
+    return mesh_.lookupObject<volVectorField>(UName_);
+}
+
+
+const Foam::volScalarField& Foam::carrierFluid::p() const
+{
+    return mesh_.lookupObject<volScalarField>(pName_);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::carrierFluid::nu() const
+{
+    return model()->nu();
 }
 
 

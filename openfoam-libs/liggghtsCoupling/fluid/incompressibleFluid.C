@@ -8,12 +8,11 @@
 #include "addToRunTimeSelectionTable.H"
 #include "couplingEntries.H"
 #include "entryError.H"
+#include "fluidKinds.H"
 #include "fvcLaplacian.H"
 #include "fvMatrices.H"
 #include "IOdictionary.H"
-#include "OSspecific.H"
 #include "surfaceFields.H"
-#include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,6 +24,10 @@ namespace Foam
     (
         carrierFluid::typeName_(), incompressibleFluid::typeName_()
     );
+    const fluidKinds incompressibleKind
+    (
+        incompressibleFluid::typeName_(), "pimpleFoam, pisoFoam", &incompressibleFluid::misfit
+    );
 }
 
 
@@ -34,22 +37,6 @@ namespace
 {
 
 using namespace Foam;
-
-// Wide enough for any fluid, and narrow enough that no product of such numbers overflows
-const scalar smallest = 1e-15;
-const scalar largest = 1e15;
-
-
-const char* const fitting =
-    "Grains can be coupled to solvers for one incompressible fluid that march in time, such as"
-    " pimpleFoam and pisoFoam";
-
-
-bool beginsWith(const std::string& text, const std::string& start)
-{
-    return text.compare(0, start.size(), start) == 0;
-}
-
 
 // OpenFOAM aborts with a stack trace if the dimensions are wrong: pass its words on
 scalar readValue(const dictionary& properties)
@@ -78,7 +65,7 @@ scalar readValue(const dictionary& properties)
 }
 
 
-scalar readDensity(const fvMesh& mesh)
+scalar readDensity(const fvMesh& mesh, const scalar smallest, const scalar largest)
 {
     const IOdictionary properties
     (
@@ -131,143 +118,6 @@ scalar readDensity(const fvMesh& mesh)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::string Foam::incompressibleFluid::misfit() const
-{
-    for (const word& name : mesh_.sortedNames())
-    {
-        if (beginsWith(name, "alpha."))
-        {
-            return "is a multiphase solver (it has the phase fraction " + name + ')';
-        }
-        if (name == "phaseProperties")
-        {
-            return "is a multiphase solver (it has read constant/phaseProperties)";
-        }
-    }
-    for (const word& name : mesh_.sortedNames())
-    {
-        if (beginsWith(name, "thermophysicalProperties"))
-        {
-            return "is a compressible solver (it has read constant/" + name + ')';
-        }
-        if (name == "SRFProperties")
-        {
-            return "solves for the velocity relative to a rotating frame (it has read"
-                " constant/SRFProperties), while grains move in the frame at rest";
-        }
-    }
-
-    const auto* phi = mesh_.cfindObject<surfaceScalarField>("phi");
-    if (phi && phi->dimensions() == dimMass/dimTime)
-    {
-        return "is a compressible solver (its flux phi is one of mass)";
-    }
-    if (mesh_.foundObject<volScalarField>("rho"))
-    {
-        return "is a compressible or multiphase solver (it has a field of density, rho)";
-    }
-
-    const auto* control = mesh_.cfindObject<regIOobject>("solutionControl");
-    if (control && control->type() == "simpleControl")
-    {
-        return "is a steady solver (its algorithm is SIMPLE), while grains need the time";
-    }
-    return string();
-}
-
-
-const Foam::fvMesh& Foam::incompressibleFluid::checkedMesh() const
-{
-    const string solver(Foam::getEnv("FOAM_EXECUTABLE"));
-    const string reason(misfit());
-
-    if (!reason.empty())
-    {
-        FatalIOErrorInFunction(dict_)
-            << (solver.empty() ? "This solver" : solver.c_str()) << ' ' << reason.c_str()
-            << ", which liggghtsCoupling does not support.\n    " << fitting
-            << exit(FatalIOError);
-    }
-
-    // Local or no time steps: cells would have other times than the grains
-    const dictionary& schemes = mesh_.schemesDict().subOrEmptyDict("ddtSchemes");
-    for (const word& key : {word("ddt(" + UName_ + ')'), word("default")})
-    {
-        if (schemes.found(key))
-        {
-            const tokenList& scheme = schemes.lookup(key);
-            for (const token& t : scheme)
-            {
-                if
-                (
-                    t.isWord()
-                 && wordHashSet({"steadyState", "localEuler", "SLTS", "CoEuler"})
-                   .found(t.wordToken())
-                )
-                {
-                    FatalIOErrorInEntry(schemes, key)
-                        << "ddtSchemes: " << key << ' ' << t.wordToken()
-                        << " has no time that all cells and the grains share, which"
-                        << " liggghtsCoupling does not support. Take, for instance, Euler.\n    "
-                        << fitting << exit(FatalIOError);
-                }
-            }
-            break;
-        }
-    }
-    return mesh_;
-}
-
-
-template<class FieldType>
-void Foam::incompressibleFluid::checkField
-(
-    const word& key,
-    const dimensionSet& dimensions,
-    const bool required
-) const
-{
-    const word name(dict_.lookupOrDefault<word>(key, key));
-    const FieldType* field = mesh_.cfindObject<FieldType>(name);
-
-    if (!field)
-    {
-        if (required || dict_.found(key))
-        {
-            couplingEntries::onMaster
-            (
-                [&]()
-                {
-                    FatalIOErrorInEntry(dict_, key)
-                        << key << ' ' << name << ": there is no " << FieldType::typeName
-                        << " of this name. Those that the solver has are "
-                        << flatOutput(mesh_.sortedNames<FieldType>())
-                        << exit(FatalIOError);
-                }
-            );
-        }
-        return;
-    }
-    if (field->dimensions() != dimensions)
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInEntry(dict_, key)
-                    << key << ' ' << name << ": the field has the dimensions "
-                    << field->dimensions() << " instead of " << dimensions
-                    << ", those of an incompressible solver. See the entry dimensions of "
-                    << mesh_.time().timeName(mesh_.time().startTime().value())/name
-                    << exit(FatalIOError);
-            }
-        );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::incompressibleFluid::incompressibleFluid
@@ -278,7 +128,7 @@ Foam::incompressibleFluid::incompressibleFluid
 )
 :
     carrierFluid(dict, mesh, entries),
-    rhoValue_(readDensity(checkedMesh())),
+    rhoValue_(readDensity(mesh, smallest, largest)),
     rho_
     (
         IOobject
@@ -296,67 +146,48 @@ Foam::incompressibleFluid::incompressibleFluid
 {}
 
 
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::incompressibleFluid::misfit(const fvMesh& mesh)
+{
+    const word phase(fluidKinds::beginsWith(mesh, "alpha."));
+    if (!phase.empty())
+    {
+        return "it is a multiphase solver (it has the phase fraction " + phase + ')';
+    }
+    const word thermo(fluidKinds::beginsWith(mesh, "thermophysicalProperties"));
+    if (!thermo.empty())
+    {
+        return "it is a compressible solver (it has read constant/" + thermo + ')';
+    }
+    const auto* phi = mesh.cfindObject<surfaceScalarField>("phi");
+    if (phi && phi->dimensions() == dimMass/dimTime)
+    {
+        return "it is a compressible solver (its flux phi is one of mass)";
+    }
+    for (const char* density : {"rho", "rhok"})
+    {
+        if (mesh.foundObject<volScalarField>(density))
+        {
+            return string("its density is not uniform (it has a field ") + density + ')';
+        }
+    }
+    return string();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::incompressibleFluid::check() const
 {
-    checkField<volVectorField>("U", dimVelocity, true);
-    checkField<volScalarField>("p", dimPressure/dimDensity, true);
-}
-
-
-void Foam::incompressibleFluid::checkViscosity() const
-{
-    if (!model())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The solver has no model of turbulence or of laminar flow ("
-            << turbulenceModel::propertiesName << "), from which grains take the viscosity."
-            << " Take a solver that has one, such as pimpleFoam or pisoFoam"
-            << exit(FatalIOError);
-    }
-
-    const tmp<volScalarField> tnu(nu());
-    const scalar low = gMin(tnu().primitiveField());
-    const scalar high = gMax(tnu().primitiveField());
-    if (!(low >= smallest && high <= largest))
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInFunction(dict_)
-                    << "nu, the viscosity of the fluid (" << mesh_.time().constant()
-                    << "/transportProperties), is " << low << " to " << high
-                    << " m2/s. Drag on grains needs one that is positive and within " << smallest
-                    << " to " << largest << exit(FatalIOError);
-            }
-        );
-    }
-}
-
-
-const Foam::volVectorField& Foam::incompressibleFluid::U() const
-{
-    return mesh_.lookupObject<volVectorField>(UName_);
-}
-
-
-const Foam::volScalarField& Foam::incompressibleFluid::p() const
-{
-    return mesh_.lookupObject<volScalarField>(pName_);
+    checkField<volVectorField>("U", dimVelocity);
+    checkField<volScalarField>("p", dimPressure/dimDensity);
 }
 
 
 Foam::tmp<Foam::volScalarField> Foam::incompressibleFluid::rho() const
 {
     return rho_;
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::incompressibleFluid::nu() const
-{
-    return model()->nu();
 }
 
 
@@ -370,19 +201,7 @@ Foam::tmp<Foam::volVectorField> Foam::incompressibleFluid::divTau() const
 
 void Foam::incompressibleFluid::checkEquation(const fvMatrix<vector>& eqn) const
 {
-    if (eqn.dimensions() != dimVelocity/dimTime*dimVolume)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The momentum equation has the dimensions " << eqn.dimensions()
-            << ": liggghtsCoupling needs an incompressible solver, whose equation"
-            << " is divided by density" << exit(FatalIOError);
-    }
-    if (mesh_.changing())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "liggghtsCoupling needs a mesh that does not move or change"
-            << exit(FatalIOError);
-    }
+    checkEquationIs(eqn, dimForce/dimDensity, "which is divided by density");
 }
 
 

@@ -1,27 +1,21 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solvers, meshes and fluids that grains cannot be coupled to: one error before the first momentum equation is
-solved, which says why and what works, exit code 1."""
+"""Which kind of fluid a solver has. Solvers, meshes and fluids that grains cannot be coupled to: one error before the
+first momentum equation is solved, which says why and what works, exit code 1."""
 # processors: 2
 # label: long
 
 import unittest
 
 import bad_case
+import fluid_cases
 from grainjet import coupled_box as box
 
 THERMO = """
 thermoType { type hePsiThermo; mixture pureMixture; transport const; thermo hConst;
              equationOfState perfectGas; specie specie; energy sensibleInternalEnergy; }
 mixture { specie { molWeight 28.9; } thermodynamics { Cp 1007; Hf 0; } transport { mu 1.8e-5; Pr 0.7; } }
-"""
-
-TWO_PHASES = """
-phases (water air);
-water { transportModel Newtonian; nu 1e-6; rho 1000; }
-air { transportModel Newtonian; nu 1.5e-5; rho 1.2; }
-sigma 0.07;
 """
 
 
@@ -32,41 +26,114 @@ class Fluids(bad_case.BadCase):
 
     # solvers
 
-    def compressible(self, density="rho [1 -3 0 0 0 0 0] 1.2;"):
+    def gravity(self, folder, g=9.81, direction="0 0 -1"):
+        """A script with gravity."""
+        box.script(folder, grains=bad_case.GRAIN, boundary="f f f", gravity=f"fix g all gravity {g} vector {direction}")
+
+    def compressible(self):
         folder = self.fresh()
         self.put(folder, "constant/thermophysicalProperties", THERMO)
         (folder / "constant/transportProperties").unlink()
         self.field(folder, "p", "[1 -1 -2 0 0 0 0]", "1e5")
         self.field(folder, "T", "[0 0 0 1 0 0 0]", "300")
-        self.change(folder, "system/fvSolution", ("solvers\n{", "solvers\n{ \"rho.*\" { solver diagonal; }"))
+        self.change(folder, "system/fvSolution", (
+            "solvers\n{", "solvers\n{ \"rho.*\" { solver diagonal; }"), ('"U.*"', '"(U|e).*"'))
         return folder
 
-    def test_compressible(self):
-        """Before the user is asked for transportProperties and rho."""
-        for ranks in (0, 2):
-            folder = self.compressible()
-            if ranks:
-                self.assertEqual(bad_case.grainjet.run(["decomposePar", "-force"], folder).code, 0)
-            self.assertRefused(folder, "rhoPimpleFoam is a compressible solver", "incompressible", "pimpleFoam",
-                               "constant/fvOptions", solver="rhoPimpleFoam", ranks=ranks)
-
-    def test_multiphase(self):
+    def kind(self, make, g=-9.81):
+        """A folder with water and air, or another kind of fluid with gravity, and a script with that gravity."""
         folder = self.fresh()
-        self.put(folder, "constant/transportProperties", TWO_PHASES)
-        self.put(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n",
-                 "uniformDimensionedVectorField")
-        self.field(folder, "p_rgh", "[1 -1 -2 0 0 0 0]", "0")
-        self.field(folder, "alpha.water", "[0 0 0 0 0 0 0]", "0.5")
-        self.change(folder, "system/fvSolution", (
-            "solvers\n{", 'solvers\n{ "alpha.*" { nAlphaCorr 1; nAlphaSubCycles 1; cAlpha 1; }'))
-        self.change(folder, "system/controlDict", ("deltaT", "adjustTimeStep no; maxCo 1; maxAlphaCo 1; deltaT"))
-        self.assertRefused(folder, "interFoam is a multiphase solver", "alpha.", "incompressible",
-                           "constant/fvOptions", solver="interFoam")
+        make(folder, (0, 0, g))
+        self.gravity(folder)
+        return folder
+
+    def water(self, **more):
+        return self.kind(lambda folder, g: fluid_cases.inter_foam(folder, "0.5", g), **more)
+
+    def air(self):
+        return self.kind(lambda folder, g: fluid_cases.buoyant_pimple(folder, "1e5", g))
+
+    def warm(self):
+        return self.kind(lambda folder, g: fluid_cases.boussinesq(folder, "300", g))
+
+    def test_kinds_are_found_out(self):
+        """No entry says which kind of fluid it is. On two ranks as well."""
+        for make, solver, kind in (
+                (self.compressible, "rhoPimpleFoam", "compressible"), (self.compressible, "sonicFoam", "compressible"),
+                (self.water, "interFoam", "VOF"), (self.water, "interIsoFoam", "VOF"),
+                (self.warm, "buoyantBoussinesqPimpleFoam", "Boussinesq"),
+                (self.air, "buoyantPimpleFoam", "buoyantCompressible")):
+            with self.subTest(solver=solver):
+                folder = make()
+                result = self.assertRuns(folder, solver=solver)
+                self.assertIn("liggghtsCoupling: grains 1", result.output)
+                self.assertIn(f"Fluid: {kind}\n", result.output)
+        folder = self.water()
+        self.assertEqual(bad_case.grainjet.run(["decomposePar", "-force"], folder).code, 0)
+        self.assertRuns(folder, solver="interFoam", ranks=2)
+
+    def test_entry_that_does_not_fit(self):
+        """Before the user is asked for transportProperties and rho."""
+        for make, solver, entry, words in (
+                (self.compressible, "rhoPimpleFoam", "incompressible", ("compressible solver", "pimpleFoam, pisoFoam")),
+                (self.water, "interFoam", "incompressible", ("multiphase solver", "alpha.water")),
+                (self.warm, "buoyantBoussinesqPimpleFoam", "incompressible", ("not uniform", "rhok")),
+                (self.fresh, "pimpleFoam", "VOF", ("phase fraction", "interFoam, interIsoFoam")),
+                (self.fresh, "pimpleFoam", "Boussinesq", ("rhok",)),
+                (self.air, "buoyantPimpleFoam", "compressible", ("p_rgh", "rhoPimpleFoam, sonicFoam")),
+                (self.compressible, "rhoPimpleFoam", "buoyantCompressible", ("p_rgh",))):
+            with self.subTest(solver=solver, entry=entry):
+                folder = make()
+                box.fv_options(folder, fluid=entry)
+                self.assertRefused(folder, f"fluid {entry}", solver, "constant/fvOptions", *words, solver=solver)
+
+    def test_gravity_of_the_script(self):
+        """It must be that of the solver: both are named, with what to write."""
+        for ranks in (0, 2):
+            folder = self.water()
+            box.script(folder, grains=bad_case.GRAIN, boundary="f f f")
+            self.assertEqual(bad_case.grainjet.run(["decomposePar", "-force"], folder).code, 0)
+            self.assertRefused(folder, "no fix gravity", "constant/g", "gravity 9.81 vector 0 0 -1", "fvOptions",
+                               solver="interFoam", ranks=ranks)
+        for make, solver in ((self.water, "interFoam"), (self.warm, "buoyantBoussinesqPimpleFoam"), (self.air, "buoyantPimpleFoam")):
+            folder = make()
+            self.gravity(folder, 9.8)
+            self.assertRefused(folder, "gravity is (0 0 -9.8)", "(0 0 -9.81)", "gravity 9.81 vector 0 0 -1", solver=solver)
+        folder = self.water(g=0)
+        self.assertRefused(folder, "gravity is (0 0 -9.81)", "Take fix gravity out", solver="interFoam")
+
+    def test_buoyancy_twice(self):
+        """The pressure gradient holds buoyancy already."""
+        for make, solver in ((self.water, "interFoam"), (self.warm, "buoyantBoussinesqPimpleFoam"), (self.air, "buoyantPimpleFoam")):
+            folder = make()
+            box.fv_options(folder, forces="(pressureGradient buoyancy)")
+            self.assertRefused(folder, "pressureGradient holds buoyancy", "fvOptions", solver=solver)
+
+    def test_without_p_rgh(self):
+        """The solver itself asks for it."""
+        folder = self.water()
+        (folder / "0/p_rgh").unlink()
+        self.assertRefused(folder, "p_rgh", solver="interFoam")
+
+    def test_solvers_that_never_ask(self):
+        """They would run as without grains."""
+        for solver, other in (("rhoCentralFoam", "transonic yes"), ("icoFoam", "pimpleFoam")):
+            for ranks in (0, 2):
+                folder = self.fresh()
+                self.assertRefused(folder, solver, "never asks", other, "constant/fvOptions", solver=solver, ranks=ranks, at_reading=True)
+        folder = self.fresh()
+        box.fv_options(folder, active="no")
+        self.solution(folder, "PISO")
+        self.assertRuns(folder, solver="icoFoam")
 
     def test_steady(self):
         folder = self.fresh()
         self.solution(folder, "SIMPLE")
-        self.assertRefused(folder, "simpleFoam is a steady solver", "constant/fvOptions", solver="simpleFoam")
+        self.assertRefused(folder, "simpleFoam is a steady solver", "Take pimpleFoam", "constant/fvOptions", solver="simpleFoam")
+        folder = self.compressible()
+        self.solution(folder, "SIMPLE")
+        self.assertRefused(folder, "rhoSimpleFoam is a steady solver", "Take rhoPimpleFoam", "constant/fvOptions",
+                           solver="rhoSimpleFoam")
 
     def test_schemes_without_a_common_time(self):
         for scheme in ("steadyState", "localEuler", "bounded CoEuler phi"):
@@ -82,27 +149,6 @@ class Fluids(bad_case.BadCase):
         folder = self.fresh()
         self.put(folder, "constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;\n")
         self.assertRuns(folder)
-
-    def buoyant(self, folder):
-        """What the solvers for buoyant and rotating flow need besides."""
-        self.put(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n",
-                 "uniformDimensionedVectorField")
-        self.change(folder, "constant/transportProperties", (
-            "nu [0 2", "beta [0 0 0 -1 0 0 0] 3e-3; TRef [0 0 0 1 0 0 0] 300; Pr [0 0 0 0 0 0 0] 0.7; "
-            "Prt [0 0 0 0 0 0 0] 0.85; nu [0 2"))
-        self.field(folder, "T", "[0 0 0 1 0 0 0]", "300")
-        self.field(folder, "p_rgh", "[0 2 -2 0 0 0 0]", "0",
-                   'boundaryField { ".*" { type fixedFluxPressure; rho rhok; value uniform 0; } }\n')
-        self.field(folder, "alphat", "[0 2 -1 0 0 0 0]", "0",
-                   'boundaryField { ".*" { type calculated; value uniform 0; } }\n')
-        self.change(folder, "system/fvSolution", ('"U.*"', '"(U|T).*"'))
-
-    def test_buoyant_flow_works(self):
-        """Incompressible with a field rhok, which is no density."""
-        folder = self.fresh()
-        self.buoyant(folder)
-        result = self.assertRuns(folder, solver="buoyantBoussinesqPimpleFoam")
-        self.assertIn("liggghtsCoupling: grains 1", result.output)
 
     def test_rotating_frame(self):
         folder = self.fresh()

@@ -1,0 +1,68 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "buoyantCompressibleFluid.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fluidKinds.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(buoyantCompressibleFluid, 0);
+    addToRunTimeSelectionTable(carrierFluid, buoyantCompressibleFluid, dictionary);
+    const knownEntries::ofModel buoyantCompressibleEntries
+    (
+        carrierFluid::typeName_(), buoyantCompressibleFluid::typeName_()
+    );
+    const fluidKinds buoyantCompressibleKind
+    (
+        buoyantCompressibleFluid::typeName_(), "buoyantPimpleFoam",
+        &buoyantCompressibleFluid::misfit
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::buoyantCompressibleFluid::buoyantCompressibleFluid
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    compressibleFluid(dict, mesh),
+    pressure_(mesh)
+{}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::buoyantCompressibleFluid::misfit(const fvMesh& mesh)
+{
+    const string missing(compressibleFluid::missing(mesh));
+    return missing.empty() ? hydrostaticPressure::missing(mesh) : missing;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::buoyantCompressibleFluid::check() const
+{
+    checkSolver();
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::buoyantCompressibleFluid::gradP() const
+{
+    return pressure_.gradient
+    (
+        pressure_.ofSameTime(mesh_.lookupObject<volScalarField>("rho"))
+    );
+}
+
+
+// ************************************************************************* //

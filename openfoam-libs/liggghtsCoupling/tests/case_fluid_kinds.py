@@ -1,0 +1,187 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Kinds of fluid: buoyancy and gravity in each, momentum of fluid and grains, ranks and restart with water and air."""
+# processors: 2
+# label: long
+
+import math
+import unittest
+
+import numpy
+
+from crowded_box import values
+from fluid_cases import AIR, WATER, boussinesq, buoyant_pimple, inter_foam, layers
+from grainjet import coupled_box as box, dictionaries, dumps, scripts
+from grainjet.coupled_box import swarm
+
+D, DENSITY, G = 1e-3, 2500.0, 9.81
+VOLUME = math.pi / 6 * D ** 3
+WEIGHT = VOLUME * DENSITY * G
+GRAVITY = f"fix g all gravity {G} vector 0 0 -1"
+CELLS, PER_LAYER, LAYERS, HEIGHT = "4 4 8", 16, 8, 0.005     # cells of 5 mm
+
+# water below, 0.4 of a layer of cells at the surface, air above
+SURFACE = [1.0] * 4 + [0.4] + [0.0] * 3
+
+
+class Buoyancy(box.CoupledCase):
+    """Grains at rest, one in the middle of a cell of each layer, in a closed box; no drag, so that they are at rest
+    but for the some 1e-7 of a step. The force of the fluid on them, to 1e-6 of the weight of the fluid that they displace."""
+
+    def forces(self, solver, kind, force="pressureGradient", steps=3, interpolation="cell", **fluid):
+        """Force of the fluid on the grains of the layers [N], after some steps."""
+        folder = self.new_folder()
+        box.write(folder, walls=True, cells=CELLS, steps=steps, delta_t=1e-7, **fluid)
+        kind(folder)
+        x = [(0.0075, 0.0075, HEIGHT * (layer + 0.5)) for layer in range(LAYERS)]
+        box.script(folder, grains=box.grains(x, [(0, 0, 0)] * LAYERS, D, DENSITY), boundary="f f f", gravity=GRAVITY, dt=1e-8,
+                   end=scripts.dump(10 * steps, "grains.dump", "id f_fluidForce[1] f_fluidForce[2] f_fluidForce[3] fz"))
+        box.fv_options(folder, drag=None, forces=f"{{ {force} {{}} }}", coupling="oneWay", interpolation=interpolation)
+        self.foam("blockMesh", folder)
+        self.foam(solver, folder)
+        self.case = folder
+        return dumps.last(folder / "grains.dump")
+
+    def check(self, forces, densities):
+        for layer, density in enumerate(densities):
+            fx, fy, fz, total = forces[layer + 1]
+            displaced = VOLUME * density * G
+            self.assertLess(math.hypot(fx, fy), 1e-6 * displaced)
+            self.assertAlmostEqual(fz, displaced, delta=1e-6 * displaced, msg=f"layer {layer}")
+            self.assertAlmostEqual(total, displaced - WEIGHT, delta=1e-6 * (WEIGHT - displaced), msg=f"layer {layer}")
+
+    def test_pimple_foam(self):
+        """p without the hydrostatic part: the force buoyancy."""
+        self.check(self.forces("pimpleFoam", lambda folder: None, "buoyancy", rho="rho [1 -3 0 0 0 0 0] 1000;"), [WATER] * LAYERS)
+
+    def test_inter_foam(self):
+        """In water, in the layer of the surface and in air; for any place of the height from which p_rgh counts."""
+        for solver, height in (("interFoam", 0), ("interFoam", 0.3), ("interIsoFoam", 0)):
+            def kind(folder, height=height):
+                inter_foam(folder, layers(SURFACE, PER_LAYER), (0, 0, -G))
+                dictionaries.write(folder / "constant/hRef", f"dimensions [0 1 0 0 0 0 0]; value {height};\n",
+                                   "uniformDimensionedScalarField")
+            with self.subTest(solver=solver, height=height):
+                self.check(self.forces(solver, kind), [AIR + a * (WATER - AIR) for a in SURFACE])
+
+    def test_full_of_water(self):
+        """As in pimpleFoam, also with values interpolated to the grains' places."""
+        for interpolation in ("cell", "cellPoint"):
+            with self.subTest(interpolation=interpolation):
+                self.check(self.forces("interFoam", lambda folder: inter_foam(folder, "1", (0, 0, -G)), interpolation=interpolation),
+                           [WATER] * LAYERS)
+
+    def test_boussinesq(self):
+        """Warm fluid above cold one: the weight is that of the fluid at its temperature."""
+        T = [300 + 2.0 * layer for layer in range(LAYERS)]
+        forces = self.forces("buoyantBoussinesqPimpleFoam", lambda folder: boussinesq(folder, layers(T, PER_LAYER), (0, 0, -G)),
+                             rho="rho [1 -3 0 0 0 0 0] 1.2;")
+        self.check(forces, [1.2 * (1 - 3e-3 * (t - 300)) for t in T])
+
+    def test_buoyant_pimple_foam(self):
+        """Still air: a perfect gas whose pressure falls as exp(-gz/RT)."""
+        R = 8314.46 / 28.9
+        z = [HEIGHT * (layer + 0.5) for layer in range(LAYERS)]
+        p = [1e5 * math.exp(-G * height / (R * 300)) for height in z]
+        forces = self.forces("buoyantPimpleFoam", lambda folder: buoyant_pimple(folder, layers(p, PER_LAYER), (0, 0, -G)))
+        self.check(forces, [pressure / (R * 300) for pressure in p])
+
+
+class Surface(box.CoupledCase):
+
+    def test_surface_tension_is_not_felt(self):
+        """A cube of water in air without gravity, in the pressure of its surface tension: the gradient of p that balances it would
+        act on grains at the surface with V sigma K grad(alpha). A twentieth of that is allowed: what the flow that
+        makes a drop of the cube needs."""
+        folder = self.new_folder()
+        box.write(folder, walls=True, cells="10 10 20", steps=3, delta_t=1e-6)
+        inside = [all(3 <= i < 7 for i in (c % 10, c // 10 % 10, c // 100 - 5)) for c in range(2000)]
+        inter_foam(folder, dictionaries.nonuniform([float(a) for a in inside]))
+        x = [((i + 0.5) * 0.002, 0.0091, 0.0191) for i in range(10)]
+        box.script(folder, grains=box.grains(x, [(0, 0, 0)] * len(x), 2e-4), boundary="f f f", dt=1e-7,
+                   end=scripts.dump(30, "grains.dump", "id f_fluidForce[1]"))
+        box.fv_options(folder, drag=None, forces="{ pressureGradient {} }", coupling="oneWay", interpolation="cell")
+        self.foam("blockMesh", folder)
+        self.foam("interFoam", folder)
+        felt = max(abs(f) for f, in dumps.last(folder / "grains.dump").values())
+        p = dictionaries.internal(folder / "3e-06/p")
+        row = [p[i + 10 * 4 + 100 * 9] for i in range(10)]
+        jump = max(abs(b - a) for a, b in zip(row, row[2:])) / 0.004
+        print(f"felt {felt / (math.pi / 6 * 2e-4 ** 3):.3g} N/m3, gradient of p {jump:.3g}")
+        self.assertGreater(jump, 1000)
+        self.assertLess(felt, 0.05 * math.pi / 6 * 2e-4 ** 3 * jump)
+
+
+class WaterAndAir(box.CoupledCase):
+    """Grains that fall through water and air in a periodic box, two-way."""
+
+    ALPHA = layers([0.0] * 5 + [0.5] + [1.0] * 9 + [0.3] + [0.0] * 4, 100)
+
+    def run_inter_foam(self, ranks=0, steps=20, write_every=None, into=None, count=300):
+        """In a new folder, or on in one; with this number of grains, or, for None, without the coupling."""
+        folder = into or self.new_folder()
+        if not into:
+            box.write(folder, steps=steps, write_every=write_every, velocity="(0 0 0.1)",
+                      correctors="nOuterCorrectors 12; nCorrectors 3;", ranks=max(ranks, 1), decomposition=f"(1 1 {max(ranks, 1)})")
+            inter_foam(folder, self.ALPHA, walls=False, sigma=0, water_nu=1e-5)
+            if count is not None:
+                x, v = swarm(count, 9, mean=(0, 0, 0.5))
+                box.script(folder, grains=box.grains(x, v, D, DENSITY), end=scripts.dump(10, "grains.*.dump", box.MOTION))
+                box.fv_options(folder)
+            self.foam("blockMesh", folder)
+            if ranks:
+                self.foam("decomposePar", folder)
+        self.foam("interFoam", folder, ranks)
+        return folder
+
+    @staticmethod
+    def momentum(folder, time, step):
+        """That of the fluid with what it is owed, and of the grains [N s]."""
+        alpha = numpy.array(dictionaries.internal(folder / time / "alpha.water"))
+        rho = AIR + alpha * (WATER - AIR)
+        U = numpy.array(dictionaries.internal(folder / time / "U"))
+        fluid = 0.002 ** 3 * (rho[:, None] * U).sum(0) + values(folder / time / "particleMomentumOwed").sum(0)
+        motion = numpy.array(list(dumps.last(folder / f"grains.{step}.dump").values()))
+        return fluid, VOLUME * DENSITY * motion[:, 3:6].sum(0)
+
+    def test_momentum(self):
+        """Fluid and grains together keep their momentum, though density differs by a factor of 800 from cell to
+        cell: to 1e-9 of what was exchanged, the tolerance of the solvers."""
+        folder = self.run_inter_foam(write_every=5)
+        fluid, grains = zip(*(self.momentum(folder, time, step) for time, step in (("0.0005", 50), ("0.002", 200))))
+        passed = abs(grains[1] - grains[0]).max()
+        lost = abs(fluid[1] - fluid[0] + grains[1] - grains[0]).max()
+        print(f"lost {lost / passed:.1e} of {passed:.2e} N s")
+        self.assertGreater(passed, 1e-5)
+        self.assertLess(lost, 1e-9 * passed)
+        self.assertLess(max(box.read_balance(folder)["imbalance"]), 1e-10)
+
+    def test_ranks(self):
+        """2 ranks give what one gives, but for the order of sums and the tolerance of the solvers."""
+        one, two = self.run_inter_foam(steps=10), self.run_inter_foam(2, steps=10)
+        self.foam("reconstructPar", two)
+        self.compare(one, two, "0.001", 1e-9)
+
+    def test_restart(self):
+        """A continued run gives the digits of one that was not stopped, if pcorr leaves the flux as it is: interFoam
+        corrects it at each start."""
+        whole, parts = self.run_inter_foam(steps=20, write_every=10), self.run_inter_foam(steps=10, write_every=10)
+        box.end_at(parts, 20)
+        self.run_inter_foam(into=parts)
+        for name in ("U", "p_rgh", "phi", "alpha.water", "voidFraction", "particleMomentumOwed"):
+            a, b = ((f / "0.002" / name).read_bytes() for f in (whole, parts))
+            self.assertEqual(a, b, name)
+        a, b = (dumps.last(f / "grains.200.dump") for f in (whole, parts))
+        self.assertEqual(a, b)
+
+    def test_without_grains(self):
+        """The fields of the stock solver, bit for bit."""
+        alone, coupled = (self.run_inter_foam(steps=5, count=count) for count in (None, 0))
+        for name in ("U", "p_rgh", "phi", "alpha.water"):
+            a, b = ((f / "0.0005" / name).read_bytes() for f in (alone, coupled))
+            self.assertEqual(a, b, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
