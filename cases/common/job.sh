@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The stages of a job, for the folder of a case as cases/quickJet is one. Sourced by
-# quickJet/Allrun and by cases/Allrun, in the folder of the case, with $root and `set -eu -o pipefail`.
+# quickJet/Allrun, waterJet/Allrun and cases/Allrun, in the folder of the case, with $root and `set -eu -o pipefail`.
 #   mesh_stage, steady_stage, coupled_stage: each starts from what the one before left
 
 fail() { echo "Allrun: $*" >&2; exit 1; }
@@ -139,7 +139,8 @@ steady_stage()
 coupled_stage()
 {
     launcher
-    local at=.
+    local at=. solver
+    solver=$(awk '$1 == "application" { sub(/;.*/, "", $2); print $2 }' system/controlDict)
     if [ -n "$parallel" ]
     then
         at=processor0
@@ -148,14 +149,14 @@ coupled_stage()
     complete_times
     if [ "$start" = 0 ]
     then
-        echo "Coupled run: pimpleFoam and LIGGGHTS on $ranks ranks"
+        echo "Coupled run: $solver and LIGGGHTS on $ranks ranks"
         find postProcessing -mindepth 2 -delete
     else
         echo "Coupled run goes on from $start s on $ranks ranks"
-        mv log.pimpleFoam "log.pimpleFoam.until.$start" 2> /dev/null || true
+        mv "log.$solver" "log.$solver.until.$start" 2> /dev/null || true
     fi
-    "${mpi[@]}" pimpleFoam $parallel > log.pimpleFoam 2>&1 &
-    following log.pimpleFoam "$(parameter endTime)" "coupled run" "$start"
+    "${mpi[@]}" "$solver" $parallel > "log.$solver" 2>&1 &
+    following "log.$solver" "$(parameter endTime)" "coupled run" "$start"
     [ -z "$parallel" ] || run log.reconstructPar "Joining the fields of the ranks" reconstructPar
 }
 

@@ -11,7 +11,7 @@ import pathlib
 
 import numpy
 import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 
 def latest_mesh(case):
@@ -50,6 +50,21 @@ def axial_slice(grid, field, normal=(0, 1, 0), offset=1e-7):
     corners = vtk_to_numpy(cut.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
     return (vtk_to_numpy(cut.GetPoints().GetData()), corners,
             vtk_to_numpy(cut.GetPointData().GetArray(field)))
+
+
+def at(grid, field, points):
+    """The cell field at points (n, 3): the values of the cells that they lie in, nan outside."""
+    places = vtk.vtkPoints()
+    places.SetData(numpy_to_vtk(numpy.array(points, dtype=float).reshape(-1, 3)))
+    asked = vtk.vtkPolyData()
+    asked.SetPoints(places)
+    probe = vtk.vtkProbeFilter()
+    probe.SetInputData(asked)
+    probe.SetSourceData(grid)
+    probe.Update()
+    data = probe.GetOutput().GetPointData()
+    inside = vtk_to_numpy(data.GetArray(probe.GetValidPointMaskArrayName())) > 0
+    return numpy.where(inside, vtk_to_numpy(data.GetArray(field)), numpy.nan)
 
 
 def grains_at(folder, time):
