@@ -81,7 +81,7 @@ class Buoyancy(box.CoupledCase):
 
     def test_buoyant_pimple_foam(self):
         """Still air: a perfect gas whose pressure falls as exp(-gz/RT)."""
-        RT = 6.02214e26 * 1.38065e-23 / 28.9 * 300      # by OpenFOAM's constants
+        RT = 6.0221417930e26 * 1.38065e-23 / 28.9 * 300      # by OpenFOAM's constants
         *p, top = (1e5 * math.exp(-G * z / RT) for z in [*(HEIGHT * (layer + 0.5) for layer in range(LAYERS)), 0.04])
         forces = self.forces("buoyantPimpleFoam", lambda folder: buoyant_pimple(
             folder, layers(p, PER_LAYER), (0, 0, -G), (repr(top), repr(top * (1 + G * 0.04 / RT)))))
