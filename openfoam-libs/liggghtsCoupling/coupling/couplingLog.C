@@ -105,6 +105,15 @@ void Foam::couplingLog::writeTableHeader()
         os,
         "bytes sent and searches through the mesh: since the start"
     );
+    if (energy_)
+    {
+        writeHeader
+        (
+            os,
+            "energy [J]: work of the forces with reaction on the grains (energyToGrains) in this step; to the"
+            " gas and still owed to it: step before"
+        );
+    }
     writeCommented(os, "Time");
     for
     (
@@ -122,6 +131,17 @@ void Foam::couplingLog::writeTableHeader()
     {
         writeTabbed(os, column);
     }
+    if (energy_)
+    {
+        for
+        (
+            const char* column :
+            {"energyToGrains", "energyToFluid", "energyOwed", "energyImbalance"}
+        )
+        {
+            writeTabbed(os, column);
+        }
+    }
     os << endl;
 }
 
@@ -132,13 +152,15 @@ Foam::couplingLog::couplingLog
 (
     const fvMesh& mesh,
     const bool twoWay,
-    const bool full
+    const bool full,
+    const bool energy
 )
 :
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
     mesh_(mesh),
     twoWay_(twoWay),
     full_(full),
+    energy_(energy),
     warned_(false),
     missed_(false),
     leftBox_(0),
@@ -168,7 +190,8 @@ Foam::couplingLog::couplingLog
 void Foam::couplingLog::closeFluidStep
 (
     grainMomentum& momentum,
-    const voidFractionEquations* equations
+    const voidFractionEquations* equations,
+    const energyExchange* energy
 )
 {
     if (twoWay_)
@@ -181,6 +204,39 @@ void Foam::couplingLog::closeFluidStep
             owed_ += equations->owed();
         }
     }
+    if (energy)
+    {
+        joule_.toFluid = energy->received();
+        joule_.owed = energy->owed();
+    }
+}
+
+
+Foam::couplingLog::energyBalance Foam::couplingLog::balance
+(
+    const scalar toGrains,
+    const bool first
+)
+{
+    const vector sums = returnReduce
+    (
+        vector(toGrains, joule_.toFluid, joule_.owed), sumOp<vector>()
+    );
+    if (first)
+    {
+        joule_.owedBefore = sums[2];
+    }
+    joule_.sumToGrains += joule_.latestToGrains;
+    joule_.sumExchanged += mag(joule_.latestToGrains);
+    joule_.sumToFluid += sums[1];
+    joule_.latestToGrains = sums[0];
+
+    const scalar missing = joule_.sumToGrains + joule_.sumToFluid + sums[2] - joule_.owedBefore;
+    return
+    {
+        sums[0], sums[1], sums[2],
+        joule_.sumExchanged > 0 ? mag(missing)/joule_.sumExchanged : 0
+    };
 }
 
 
@@ -253,6 +309,12 @@ void Foam::couplingLog::write(const step& values)
       ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
       : 0;
 
+    energyBalance joule{0, 0, 0, 0};
+    if (energy_)
+    {
+        joule = balance(values.received.work, first);
+    }
+
     const scalar done = time.value() - startTime_;
     const scalar secondsLeft =
         (now - startSeconds_)
@@ -270,8 +332,12 @@ void Foam::couplingLog::write(const step& values)
         << " m/s, Rayleigh ";
     printProvided(values.counts.rayleigh);
     Info<< " %, momentum to grains " << toGrains
-        << " N s, imbalance " << imbalance
-        << ", time fluid " << label(100*fluidSeconds/all + 0.5)
+        << " N s, imbalance " << imbalance;
+    if (energy_)
+    {
+        Info<< ", energy to grains " << joule.toGrains << " J, imbalance " << joule.imbalance;
+    }
+    Info<< ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
         << " %, still ";
@@ -308,8 +374,13 @@ void Foam::couplingLog::write(const step& values)
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << couplingSeconds
             << tab << remote << tab << digits(sums[2]).c_str()
-            << tab << digits(removed[2]).c_str()
-            << endl;
+            << tab << digits(removed[2]).c_str();
+        if (energy_)
+        {
+            os  << tab << joule.toGrains << tab << joule.toFluid << tab << joule.owed
+                << tab << joule.imbalance;
+        }
+        os  << endl;
     }
     ownSeconds_ = clock_.elapsedTime() - now;
 }

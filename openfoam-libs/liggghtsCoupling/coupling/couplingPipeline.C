@@ -37,12 +37,14 @@ const Foam::dictionary& checkedCase
 
 void Foam::couplingPipeline::start()
 {
+    liggghtsSession::requests requests(forces_.requests());
+    requests.work = bool(energy_);
     {
         // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
         const noFloatTraps quiet;
         session_.start
         (
-            dict_.get<fileName>("script"), former_.grains(), forces_.requests(),
+            dict_.get<fileName>("script"), former_.grains(), requests,
             demSteps::adjusted(fluid_.mesh().time())
         );
     }
@@ -111,13 +113,26 @@ Foam::couplingPipeline::couplingPipeline
       : nullptr
     ),
     momentum_(dict, fluid),
+    energy_
+    (
+        couplingEntries::twoWay(dict) && !energyExchange::fieldName(fluid.mesh()).empty()
+      ? new energyExchange(fluid.mesh())
+      : nullptr
+    ),
     session_
     (
         fluid.mesh().time().globalPath(),
         dict.lookupOrDefault<fileName>("log", "log.liggghts")
     ),
-    log_(fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict))
+    log_
+    (
+        fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict), bool(energy_)
+    )
 {
+    if (energy_)
+    {
+        couplingEntries::onMaster([&](){ energyExchange::checkEntries(dict); });
+    }
     start();
 
     vector g;
@@ -163,7 +178,7 @@ void Foam::couplingPipeline::advance()
     {
         equations_->closeStep();
     }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get());
+    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get());
 
     step.cells = averages_.update(*grains_);
     if (equations_)
@@ -183,7 +198,7 @@ void Foam::couplingPipeline::advance()
     step.received = momentum_.receive
     (
         *grains_, forces_, records_, averages_,
-        equations_ ? equations_->feltStress()() : vectorField::null()
+        equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get()
     );
 
     step.counts = session_.counts();
@@ -202,6 +217,12 @@ void Foam::couplingPipeline::addSup(fvMatrix<vector>& eqn) const
         equations_->addSup(eqn);
     }
     momentum_.addSup(eqn);
+}
+
+
+void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn) const
+{
+    energy_->addSup(eqn, momentum_.momentum());
 }
 
 

@@ -69,7 +69,18 @@ void Foam::fv::liggghtsCoupling::checkSources() const
     const bool firstStep = (timeIndex_ == mesh_.time().startTimeIndex());
     for (label i = 1; i < applied_.size(); ++i)
     {
-        if (!firstStep && !applied_[i])
+        if (firstStep || applied_[i])
+        {
+            continue;
+        }
+        if (fieldNames_[i] == energy_)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "The solver has an energy, " << energy_ << ", but has not asked for sources of its"
+                << " equation, so the gas would not get the work of the grains. Take rhoPimpleFoam or"
+                << " sonicFoam, or set coupling oneWay" << exit(FatalIOError);
+        }
+        else
         {
             FatalIOErrorInEntry(coeffs_, "turbulenceSources")
                 << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
@@ -121,6 +132,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 :
     option(name, modelType, dict, mesh),
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
+    energy_
+    (
+        couplingEntries::twoWay(coeffs_) ? energyExchange::fieldName(mesh) : word::null
+    ),
     cloud_(mesh),
     timeIndex_(mesh.time().timeIndex()),
     relaxation_(1),
@@ -130,6 +145,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     if (turbulence_)
     {
         fieldNames_.append(turbulence_->fields());
+    }
+    if (!energy_.empty())
+    {
+        fieldNames_.append(energy_);
     }
     applied_.setSize(fieldNames_.size(), false);
 }
@@ -193,6 +212,29 @@ void Foam::fv::liggghtsCoupling::addSup
 )
 {
     addSup(eqn, fieldi);
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    const volScalarField& rho,
+    fvMatrix<scalar>& eqn,
+    const label fieldi
+)
+{
+    if (fieldNames_[fieldi] != energy_)
+    {
+        addSup(eqn, fieldi);
+        return;
+    }
+    if (!pipeline_ || timeIndex_ != mesh_.time().timeIndex())
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "The solver asks for sources of " << energy_ << " before those of its momentum equation."
+            << " liggghtsCoupling needs a solver that begins a step with momentum, such as rhoPimpleFoam"
+            << exit(FatalIOError);
+    }
+    pipeline_->addEnergySup(eqn);
 }
 
 

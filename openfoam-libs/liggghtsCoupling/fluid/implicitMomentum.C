@@ -172,6 +172,16 @@ void Foam::implicitMomentum::set
 }
 
 
+void Foam::implicitMomentum::addWorkOwed(scalarField& work) const
+{
+    const volVectorField& U = fluid_.U();
+    for (const cellSource& source : sources_)
+    {
+        work[source.cell] += missing(source, vectorField::null()) & U[source.cell];
+    }
+}
+
+
 void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
 {
     // fvMatrix keeps (diagonal)*U = source, integrated over cells
