@@ -9,6 +9,7 @@
 #include "convectionScheme.H"
 #include "couplingEntries.H"
 #include "ddtScheme.H"
+#include "fvcDdt.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
@@ -48,6 +49,40 @@ IOobject continuedHeader(const word& name, const carrierFluid& fluid)
     );
 }
 
+
+// A bounded scheme takes the divergence of the flux out of the equation. That of the fluid between the grains
+// is the rate at which their shares change, with the momentum that belongs to it
+void checkConvection(const carrierFluid& fluid)
+{
+    const dictionary schemes(fluid.mesh().schemesDict().subOrEmptyDict("divSchemes"));
+    const word convection
+    (
+        "div(" + fluid.momentumFlux().name() + ',' + fluid.UName() + ')'
+    );
+    for (const word& key : {convection, word("default")})
+    {
+        if (!schemes.found(key))
+        {
+            continue;
+        }
+        const token first(schemes.lookup(key)[0]);
+        if (first.isWord() && first.wordToken() == "bounded")
+        {
+            couplingEntries::onMaster
+            (
+                [&]()
+                {
+                    FatalIOErrorInEntry(schemes, key)
+                        << "divSchemes: " << convection << " is bounded, with which equations full"
+                        << " would not keep the momentum of fluid and grains. Take the same scheme"
+                        << " without the word bounded" << exit(FatalIOError);
+                }
+            );
+        }
+        return;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -82,15 +117,56 @@ void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::voidFractionEquations::fluxOfFluid() const
+Foam::tmp<Foam::surfaceScalarField> Foam::voidFractionEquations::fluxOfSolids() const
+{
+    tmp<surfaceScalarField> tflux(linearInterpolate(solidsFlux_) & fluid_.mesh().Sf());
+    return
+        fluid_.equationRho()
+      ? linearInterpolate(*fluid_.equationRho())*tflux
+      : tflux;
+}
+
+
+Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::inertia
+(
+    const surfaceScalarField& flux
+) const
+{
+    const volVectorField& U = fluid_.U();
+    const volScalarField* rho = fluid_.equationRho();
+
+    tmp<fvMatrix<vector>> tinertia(rho ? fvm::ddt(*rho, U) : fvm::ddt(U));
+    tinertia.ref() += fvm::div
+    (
+        flux, U, "div(" + fluid_.momentumFlux().name() + ',' + fluid_.UName() + ')'
+    );
+    return tinertia;
+}
+
+
+template<class FieldType>
+Foam::tmp<FieldType> Foam::voidFractionEquations::rateOfChange(const FieldType& field) const
 {
     const fvMesh& mesh = fluid_.mesh();
-    return tmp<surfaceScalarField>::New
+    const volScalarField* rho = fluid_.equationRho();
+    const word name
     (
-        "phiFluid",
-        (fluid_.phi() - (linearInterpolate(solidsFlux_) & mesh.Sf()))
-       /linearInterpolate(voidFraction_)
+        "ddt(" + (rho ? rho->name() + ',' : word()) + fluid_.UName() + ')'
     );
+    const auto tscheme
+    (
+        fv::ddtScheme<typename FieldType::value_type>::New(mesh, mesh.ddtScheme(name))
+    );
+    return rho ? tscheme.constCast().fvcDdt(*rho, field) : tscheme.constCast().fvcDdt(field);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::rateOfShares() const
+{
+    tmp<volScalarField> trate(rateOfChange(voidFraction_) - fvc::surfaceIntegrate(fluxOfSolids()));
+
+    // What the solver's continuity equation has done is no kick
+    return fluid_.equationRho() ? trate - fvc::ddt(*fluid_.equationRho()) : trate;
 }
 
 
@@ -105,25 +181,14 @@ void Foam::voidFractionEquations::smooth()
     const fvMesh& mesh = fluid_.mesh();
     const scalarField& V = mesh.V();
     const scalar dt = dt_ = mesh.time().deltaTValue();
-    const tmp<volScalarField> trho(fluid_.rho());
-    const scalarField& rho = trho().primitiveField();
-
-    const surfaceScalarField flux(linearInterpolate(solidsFlux_) & mesh.Sf());
-    const tmp<volScalarField> trate
-    (
-        fv::ddtScheme<scalar>::New
-        (
-            mesh, mesh.ddtScheme("ddt(" + fluid_.UName() + ')')
-        ).ref().fvcDdt(voidFraction_)
-      - fvc::surfaceIntegrate(flux)
-    );
+    const tmp<volScalarField> trate(rateOfShares());
     const tmp<volScalarField> tpassages(0.5*fvc::surfaceSum(mag(fluid_.phi())));
 
     forAll(smoothing_, celli)
     {
         const vector kick
         (
-            rho[celli]*V[celli]*trate()[celli]*fluidVelocity_[celli]
+            fluid_.equationDensity(celli)*V[celli]*trate()[celli]*fluidVelocity_[celli]
         );
         vector& unpaid = unpaid_[celli];
         unpaid -= dt*kick;
@@ -188,6 +253,7 @@ Foam::voidFractionEquations::voidFractionEquations
     smoothing_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {
+    checkConvection(fluid);
     fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
 }
 
@@ -267,30 +333,24 @@ Foam::vector Foam::voidFractionEquations::owed() const
 
 void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
 {
-    const fvMesh& mesh = fluid_.mesh();
     const volVectorField& U = fluid_.U();
-    const surfaceScalarField& phi = fluid_.phi();
-    const word& name = fluid_.UName();
-
-    const tmp<surfaceScalarField> tfluid(fluxOfFluid());
-    const surfaceScalarField& fluidFlux = tfluid();
+    const surfaceScalarField& flux = fluid_.momentumFlux();
+    const surfaceScalarField fluidFlux
+    (
+        (flux - fluxOfSolids())/linearInterpolate(voidFraction_)
+    );
     const volScalarField::Internal share(1/voidFraction_.internalField());
 
     // The solver's inertia out, that of the fluid between the grains in
-    eqn += fvm::ddt(U);
-    eqn += fvm::div(phi, U);
+    eqn += inertia(flux);
 
-    fvMatrix<vector> own(fvm::ddt(U));
-    own += fvm::div(fluidFlux, U, "div(" + phi.name() + ',' + name + ')');
-    own *= share;
-    eqn -= own;
+    const tmp<fvMatrix<vector>> town(inertia(fluidFlux));
+    town.constCast() *= share;
+    eqn -= town();
 
     const tmp<volVectorField> inertiaOfSolids
     (
-        fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme("ddt(" + name + ')')).ref().fvcDdt
-        (
-            solidsFlux_
-        )
+        rateOfChange(solidsFlux_)
       + fvc::surfaceIntegrate(fluidFlux*linearInterpolate(solidsFlux_))
     );
     eqn += share*inertiaOfSolids().internalField();

@@ -18,13 +18,24 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::effectiveViscosity() const
+{
+    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const volScalarField* rho = fluid_.equationRho();
+    return
+        rho
+      ? tmp<volScalarField>::New('(' + rho->name() + "*nuEff)", *rho*tnuEff)
+      : tmp<volScalarField>::New("nuEff", tnuEff);
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
 (
     const volVectorField& velocity
 ) const
 {
     const word& name = fluid_.UName();
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const tmp<volScalarField> tviscosity(effectiveViscosity());
     const tmp<volTensorField> tgradient
     (
         // Not from the cache, where the gradient of U has this name
@@ -34,11 +45,14 @@ Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
         )().calcGrad(velocity, "grad(" + velocity.name() + ')')
     );
     return
-        fvc::laplacian(tnuEff(), velocity, "laplacian(nuEff," + name + ')')
+        fvc::laplacian
+        (
+            tviscosity(), velocity, "laplacian(" + tviscosity().name() + ',' + name + ')'
+        )
       + fvc::div
         (
-            tnuEff()*dev2(T(tgradient)),
-            "div((nuEff*dev2(T(grad(" + name + ")))))"
+            tviscosity()*dev2(T(tgradient)),
+            "div((" + tviscosity().name() + "*dev2(T(grad(" + name + ")))))"
         );
 }
 
@@ -62,10 +76,13 @@ void Foam::voidFractionEquations::follow
 Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChange() const
 {
     const volVectorField& U = fluid_.U();
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
+    const tmp<volScalarField> tviscosity(effectiveViscosity());
     tmp<fvMatrix<vector>> tmatrix
     (
-        fvm::laplacian(tnuEff(), U, "laplacian(nuEff," + fluid_.UName() + ')')
+        fvm::laplacian
+        (
+            tviscosity(), U, "laplacian(" + tviscosity().name() + ',' + fluid_.UName() + ')'
+        )
     );
     fvMatrix<vector>& matrix = tmatrix.ref();
 
@@ -96,10 +113,15 @@ Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChan
 
 Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
 {
-    const tmp<volScalarField> trho(fluid_.rho());
     const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
     const tmp<volVectorField> tgradP(fluid_.gradP());
-    return trho().primitiveField()*tviscous().primitiveField() - tgradP().primitiveField();
+    tmp<vectorField> tstress(new vectorField(-tgradP().primitiveField()));
+    vectorField& stress = tstress.ref();
+    forAll(stress, celli)
+    {
+        stress[celli] += fluid_.equationDensity(celli)*tviscous()[celli];
+    }
+    return tstress;
 }
 
 

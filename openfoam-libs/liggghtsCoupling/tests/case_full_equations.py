@@ -109,6 +109,23 @@ class FullEquations(box.CoupledCase):
                 self.assertFails(result, "fvOptions", *words)
                 self.assertNotRegex(result.output, box.SOLVED)
 
+    def test_bounded_refused(self):
+        """A bounded convection scheme would not keep momentum."""
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks):
+                folder = self.new_folder()
+                box.write(folder, convection="upwind")
+                box.script(folder, grains=box.grains(*box.swarm(3, 1)))
+                box.fv_options(folder, voidFraction=FULL)
+                schemes = folder / "system/fvSchemes"
+                schemes.write_text(schemes.read_text().replace("Gauss upwind", "bounded Gauss upwind"))
+                self.foam("blockMesh", folder)
+                if ranks:
+                    self.foam("decomposePar", folder)
+                result = self.foam("pimpleFoam", folder, check=False, ranks=ranks)
+                self.assertFails(result, "fvSchemes", "div(phi,U) is bounded", "without the word bounded")
+                self.assertNotRegex(result.output, box.SOLVED)
+
 
 if __name__ == "__main__":
     unittest.main()
