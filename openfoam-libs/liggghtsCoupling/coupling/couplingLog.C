@@ -105,14 +105,9 @@ void Foam::couplingLog::writeTableHeader()
         os,
         "bytes sent and searches through the mesh: since the start"
     );
-    if (energy_)
+    if (joule_)
     {
-        writeHeader
-        (
-            os,
-            "energy [J]: work of the forces with reaction on the grains (energyToGrains) in this step; to the"
-            " gas and still owed to it: step before"
-        );
+        writeHeader(os, joule_->header());
     }
     writeCommented(os, "Time");
     for
@@ -131,13 +126,9 @@ void Foam::couplingLog::writeTableHeader()
     {
         writeTabbed(os, column);
     }
-    if (energy_)
+    if (joule_)
     {
-        for
-        (
-            const char* column :
-            {"energyToGrains", "energyToFluid", "energyOwed", "energyImbalance"}
-        )
+        for (const word& column : joule_->columns())
         {
             writeTabbed(os, column);
         }
@@ -160,7 +151,6 @@ Foam::couplingLog::couplingLog
     mesh_(mesh),
     twoWay_(twoWay),
     full_(full),
-    energy_(energy),
     warned_(false),
     missed_(false),
     leftBox_(0),
@@ -176,7 +166,8 @@ Foam::couplingLog::couplingLog
     sumExchanged_(0),
     latestToGrains_(Zero),
     toFluid_(Zero),
-    owed_(Zero)
+    owed_(Zero),
+    joule_(energy ? new energyBalance(full) : nullptr)
 {
     if (Pstream::master())
     {
@@ -191,7 +182,8 @@ void Foam::couplingLog::closeFluidStep
 (
     grainMomentum& momentum,
     const voidFractionEquations* equations,
-    const energyExchange* energy
+    const energyExchange* energy,
+    const compressibleVoidFraction* gas
 )
 {
     if (twoWay_)
@@ -206,37 +198,8 @@ void Foam::couplingLog::closeFluidStep
     }
     if (energy)
     {
-        joule_.toFluid = energy->received();
-        joule_.owed = energy->owed();
+        joule_->closeFluidStep(*energy, gas);
     }
-}
-
-
-Foam::couplingLog::energyBalance Foam::couplingLog::balance
-(
-    const scalar toGrains,
-    const bool first
-)
-{
-    const vector sums = returnReduce
-    (
-        vector(toGrains, joule_.toFluid, joule_.owed), sumOp<vector>()
-    );
-    if (first)
-    {
-        joule_.owedBefore = sums[2];
-    }
-    joule_.sumToGrains += joule_.latestToGrains;
-    joule_.sumExchanged += mag(joule_.latestToGrains);
-    joule_.sumToFluid += sums[1];
-    joule_.latestToGrains = sums[0];
-
-    const scalar missing = joule_.sumToGrains + joule_.sumToFluid + sums[2] - joule_.owedBefore;
-    return
-    {
-        sums[0], sums[1], sums[2],
-        joule_.sumExchanged > 0 ? mag(missing)/joule_.sumExchanged : 0
-    };
 }
 
 
@@ -309,10 +272,9 @@ void Foam::couplingLog::write(const step& values)
       ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
       : 0;
 
-    energyBalance joule{0, 0, 0, 0};
-    if (energy_)
+    if (joule_)
     {
-        joule = balance(values.received.work, first);
+        joule_->add(values.received.work, first);
     }
 
     const scalar done = time.value() - startTime_;
@@ -333,9 +295,9 @@ void Foam::couplingLog::write(const step& values)
     printProvided(values.counts.rayleigh);
     Info<< " %, momentum to grains " << toGrains
         << " N s, imbalance " << imbalance;
-    if (energy_)
+    if (joule_)
     {
-        Info<< ", energy to grains " << joule.toGrains << " J, imbalance " << joule.imbalance;
+        joule_->print(Info);
     }
     Info<< ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
@@ -375,10 +337,9 @@ void Foam::couplingLog::write(const step& values)
             << tab << values.demSeconds << tab << couplingSeconds
             << tab << remote << tab << digits(sums[2]).c_str()
             << tab << digits(removed[2]).c_str();
-        if (energy_)
+        if (joule_)
         {
-            os  << tab << joule.toGrains << tab << joule.toFluid << tab << joule.owed
-                << tab << joule.imbalance;
+            joule_->write(os);
         }
         os  << endl;
     }

@@ -80,6 +80,17 @@ void Foam::couplingPipeline::start()
 }
 
 
+Foam::wordList Foam::couplingPipeline::stateFiles() const
+{
+    wordList names(momentum_.momentum().files());
+    if (equations_)
+    {
+        names.append(equations_->files());
+    }
+    return names;
+}
+
+
 void Foam::couplingPipeline::writeState()
 {
     const tmp<vectorField> tstress
@@ -87,6 +98,26 @@ void Foam::couplingPipeline::writeState()
         equations_ ? equations_->write() : tmp<vectorField>(vectorField::null())
     );
     momentum_.momentum().write(tstress());
+}
+
+
+Foam::autoPtr<Foam::voidFractionEquations> Foam::couplingPipeline::newEquations()
+{
+    autoPtr<voidFractionEquations> equations;
+    if (voidFractionEquations::full(dict_))
+    {
+        const volScalarField& e = averages_.voidFraction();
+        const volVectorField& q = averages_.solidsFlux();
+        if (fluid_.compressible())
+        {
+            equations.reset(new compressibleVoidFraction(fluid_, e, q));
+        }
+        else
+        {
+            equations.reset(new voidFractionEquations(fluid_, e, q));
+        }
+    }
+    return equations;
 }
 
 
@@ -106,17 +137,13 @@ Foam::couplingPipeline::couplingPipeline
     former_(fluid.mesh()),
     steps_(dict, fluid.mesh(), former_.deltaT()),
     averages_(dict, locator_),
-    equations_
-    (
-        voidFractionEquations::full(dict)
-      ? new voidFractionEquations(fluid, averages_.voidFraction(), averages_.solidsFlux())
-      : nullptr
-    ),
+    equations_(newEquations()),
+    gas_(dynamic_cast<compressibleVoidFraction*>(equations_.get())),
     momentum_(dict, fluid),
     energy_
     (
         couplingEntries::twoWay(dict) && !energyExchange::fieldName(fluid.mesh()).empty()
-      ? new energyExchange(fluid.mesh())
+      ? new energyExchange(fluid)
       : nullptr
     ),
     session_
@@ -133,6 +160,10 @@ Foam::couplingPipeline::couplingPipeline
     {
         couplingEntries::onMaster([&](){ energyExchange::checkEntries(dict); });
     }
+    if (former_.continues())
+    {
+        energyExchange::keepOldTimes(fluid.mesh());
+    }
     start();
 
     vector g;
@@ -144,7 +175,7 @@ Foam::couplingPipeline::couplingPipeline
     (
         new couplingRestart
         (
-            fluid.mesh(), session_, momentum_.momentum(), [this](){ writeState(); }, log_, former_
+            fluid.mesh(), session_, stateFiles(), [this](){ writeState(); }, log_, former_
         )
     );
     cloud.show(session_);
@@ -178,7 +209,7 @@ void Foam::couplingPipeline::advance()
     {
         equations_->closeStep();
     }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get());
+    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), gas_);
 
     step.cells = averages_.update(*grains_);
     if (equations_)
@@ -220,9 +251,19 @@ void Foam::couplingPipeline::addSup(fvMatrix<vector>& eqn) const
 }
 
 
-void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn) const
+void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn)
 {
+    if (gas_)
+    {
+        gas_->addEnergySup(eqn);
+    }
     energy_->addSup(eqn, momentum_.momentum());
+}
+
+
+void Foam::couplingPipeline::addContinuitySup(fvMatrix<scalar>& eqn) const
+{
+    gas_->addContinuitySup(eqn);
 }
 
 

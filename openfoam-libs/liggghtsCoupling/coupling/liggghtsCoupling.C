@@ -64,6 +64,18 @@ void Foam::fv::liggghtsCoupling::begin()
 }
 
 
+void Foam::fv::liggghtsCoupling::advance()
+{
+    if (timeIndex_ != mesh_.time().timeIndex())
+    {
+        checkSources();
+        warnOfRelaxation();
+        timeIndex_ = mesh_.time().timeIndex();
+        pipeline_->advance();
+    }
+}
+
+
 void Foam::fv::liggghtsCoupling::checkSources() const
 {
     const bool firstStep = (timeIndex_ == mesh_.time().startTimeIndex());
@@ -73,12 +85,12 @@ void Foam::fv::liggghtsCoupling::checkSources() const
         {
             continue;
         }
-        if (fieldNames_[i] == energy_)
+        if (fieldNames_[i] == energy_ || fieldNames_[i] == continuity_)
         {
             FatalIOErrorInFunction(coeffs_)
-                << "The solver has an energy, " << energy_ << ", but has not asked for sources of its"
-                << " equation, so the gas would not get the work of the grains. Take rhoPimpleFoam or"
-                << " sonicFoam, or set coupling oneWay" << exit(FatalIOError);
+                << "The solver has " << fieldNames_[i] << ", but has not asked for sources of its equation,"
+                << " so the gas would not get what grains give to it. Take rhoPimpleFoam or sonicFoam, or"
+                << " set coupling oneWay" << exit(FatalIOError);
         }
         else
         {
@@ -136,6 +148,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     (
         couplingEntries::twoWay(coeffs_) ? energyExchange::fieldName(mesh) : word::null
     ),
+    continuity_
+    (
+        !energy_.empty() && voidFractionEquations::full(coeffs_) ? word("rho") : word::null
+    ),
     cloud_(mesh),
     timeIndex_(mesh.time().timeIndex()),
     relaxation_(1),
@@ -149,6 +165,10 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     if (!energy_.empty())
     {
         fieldNames_.append(energy_);
+    }
+    if (!continuity_.empty())
+    {
+        fieldNames_.append(continuity_);
     }
     applied_.setSize(fieldNames_.size(), false);
 }
@@ -168,13 +188,7 @@ void Foam::fv::liggghtsCoupling::addSup
     }
     fluid_->checkEquation(eqn);
 
-    if (timeIndex_ != mesh_.time().timeIndex())
-    {
-        checkSources();
-        warnOfRelaxation();
-        timeIndex_ = mesh_.time().timeIndex();
-        pipeline_->advance();
-    }
+    advance();
     noteRelaxation(eqn);
     pipeline_->addSup(eqn);
 }
@@ -190,6 +204,13 @@ void Foam::fv::liggghtsCoupling::addSup
     if (!pipeline_)
     {
         begin();
+    }
+    if (fieldNames_[fieldi] == continuity_)
+    {
+        // The step of a solver for a gas begins with continuity
+        advance();
+        pipeline_->addContinuitySup(eqn);
+        return;
     }
     const momentumExchange& momentum = pipeline_->momentum();
     const tmp<volScalarField> trho(fluid_->rho());

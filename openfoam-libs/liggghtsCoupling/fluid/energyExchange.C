@@ -11,26 +11,27 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::energyExchange::energyExchange(const fvMesh& mesh)
+Foam::energyExchange::energyExchange(const carrierFluid& fluid)
 :
+    fluid_(fluid),
     owed_
     (
         IOobject
         (
             "particleEnergyOwed",
-            mesh.time().timeName(mesh.time().startTime().value()),
-            mesh,
+            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
+            fluid.mesh(),
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
-        mesh,
+        fluid.mesh(),
         dimensionedScalar(dimEnergy, Zero)
     ),
-    wanted_(mesh.nCells(), Zero),
+    wanted_(fluid.mesh().nCells(), Zero),
     particleEnergySource_
     (
-        cellAverages::writtenField("particleEnergySource", mesh),
-        mesh,
+        cellAverages::writtenField("particleEnergySource", fluid.mesh()),
+        fluid.mesh(),
         dimensionedScalar(dimPower/dimVolume, Zero)
     ),
     dt_(0)
@@ -54,6 +55,19 @@ Foam::word Foam::energyExchange::fieldName(const fvMesh& mesh)
         }
     }
     return word::null;
+}
+
+
+void Foam::energyExchange::keepOldTimes(const fvMesh& mesh)
+{
+    for (const word& name : {word("K"), word("thermo:psi")})
+    {
+        const auto* field = mesh.cfindObject<volScalarField>(name);
+        if (field)
+        {
+            field->oldTime();
+        }
+    }
 }
 
 
@@ -82,7 +96,7 @@ void Foam::energyExchange::set
     const scalar dt
 )
 {
-    const fvMesh& mesh = particleEnergySource_.mesh();
+    const fvMesh& mesh = fluid_.mesh();
     dt_ = dt;
     owed_.instance() = mesh.time().timeName();
 
@@ -107,7 +121,12 @@ void Foam::energyExchange::addSup
     momentum.addWorkOwed(owed_.field());
 
     // fvMatrix keeps (diagonal)*e = source, integrated over cells
-    eqn.source() -= (wanted_ - owed_.field())/dt_;
+    scalarField& source = eqn.source();
+    forAll(source, celli)
+    {
+        source[celli] -=
+            (wanted_[celli] - owed_[celli])/(dt_*fluid_.equationVoidFraction(celli));
+    }
 }
 
 

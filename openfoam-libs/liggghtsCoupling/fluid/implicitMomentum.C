@@ -139,7 +139,8 @@ void Foam::implicitMomentum::set
     {
         const label celli = cells[i];
         const scalar e = fluid_.equationVoidFraction(celli);
-        const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
+        const scalar kappa =
+            slope[i]*dt/(rho[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]);
         const vector now(e*owed_[celli]/(1 + kappa));
         const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
@@ -177,7 +178,8 @@ void Foam::implicitMomentum::addWorkOwed(scalarField& work) const
     const volVectorField& U = fluid_.U();
     for (const cellSource& source : sources_)
     {
-        work[source.cell] += missing(source, vectorField::null()) & U[source.cell];
+        const vector& u = U[source.cell];
+        work[source.cell] += (source.later + source.slope*(u - source.U0)*dt_) & u;
     }
 }
 

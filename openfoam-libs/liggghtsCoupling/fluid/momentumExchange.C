@@ -154,6 +154,13 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
             e.impulse += reaction;
             e.work += reaction & averages.particleVelocity()[celli];
         }
+        else if (full_ && energy)
+        {
+            // The gas' equation leaves this work to the grains
+            e.work +=
+                dt*(1 - averages.voidFraction()[celli])*V[celli]
+               *(stress[celli] & averages.particleVelocity()[celli]);
+        }
         if (energy)
         {
             work[i] = e.work;

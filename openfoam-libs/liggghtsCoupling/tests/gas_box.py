@@ -14,8 +14,8 @@ T0, P0 = 300.0, 1e5
 RHO0 = P0 / (R * T0)
 SOUND = (GAMMA * R * T0) ** 0.5
 
-# The solvers write T, not the energy that they solve for
-WRITE = "energy {{ type writeObjects; libs (utilityFunctionObjects); objects ({}); writeControl writeTime; }}"
+# The solvers write T, not the energy that they solve for; sonicFoam no density
+WRITE = "energy {{ type writeObjects; libs (utilityFunctionObjects); objects (rho {}); writeControl writeTime; }}"
 
 ENERGY = {"e": "sensibleInternalEnergy", "h": "sensibleEnthalpy"}
 
@@ -27,13 +27,13 @@ def heat_capacity(energy):
 
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
-          tolerance=1e-14, gas="perfectGas", density=None, pressure=P0, **fluid):
+          tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
     and temperature, and leaves at zhi at the given pressure."""
     fluid["functions"] = fluid.get("functions", "") + WRITE.format(energy)
     box.write(folder, velocity=velocity, walls=walls, through=through, convection=convection, **fluid)
     thermo = thermo or ("hePsiThermo" if gas == "perfectGas" else "heRhoThermo")
-    state = f"equationOfState {{ rho {density!r}; }}" if density else ""
+    state = f"equationOfState {{ rho {gas_density!r}; }}" if gas_density else ""
     dictionaries.write(folder / "constant/thermophysicalProperties", f"""
 thermoType
 {{
@@ -83,14 +83,14 @@ class GasCase(box.CoupledCase):
 
     def run_gas(self, ranks=0, steps=20, grains=None, solver="rhoPimpleFoam", options=None, boundary="p p p",
                 diameter=2e-4, density=2500.0, ranks_in_case=2, processors="", into=None, dem_step=1e-5, interval=10,
-                box_of_grains="0 0.02 0 0.02 0 0.04", check=True, **fluid):
+                box_of_grains="0 0.02 0 0.02 0 0.04", check=True, dump_every=None, **fluid):
         """As run_box of CoupledCase."""
         folder = into or self.new_folder()
         write(folder, steps=steps, ranks=ranks_in_case, solver=solver, **fluid)
         if options is not False:
             x, v = grains or box.swarm(300, 7)
             box.script(folder, grains=box.grains(x, v, diameter, density), boundary=boundary, box=box_of_grains,
-                       dt=dem_step, processors=processors, end=scripts.dump(interval * steps, "grains.dump", box.MOTION))
+                       dt=dem_step, processors=processors, end=scripts.dump(dump_every or interval * steps, "grains.dump", box.MOTION))
             box.fv_options(folder, **{"fluid": "compressible", "couplingInterval": str(interval), **(options or {})})
         self.foam("blockMesh", folder)
         if ranks:
