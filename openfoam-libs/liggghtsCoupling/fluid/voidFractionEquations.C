@@ -86,7 +86,7 @@ void checkConvection(const carrierFluid& fluid)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
 {
