@@ -33,9 +33,10 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   nonReactingCoefficient_(NULL), nonReactingForce_(NULL), nonReactingImpulse_(NULL),
   nonReactingApplied_(NULL),
   fluidSpin_(NULL), spinCoefficient_(NULL), explicitTorque_(NULL), fluidTorque_(NULL),
-  addedMass_(NULL),
+  addedMass_(NULL), work_(NULL), powerGrowth_(NULL),
   exchange_(), exchangeOpen_(false), nonReactingRequested_(false), torqueRequested_(false),
-  addedMassRequested_(false), nonReactingRead_(false), torqueRead_(false), addedMassRead_(false),
+  addedMassRequested_(false), workRequested_(false), nonReactingRead_(false), torqueRead_(false),
+  addedMassRead_(false), workRead_(false),
   removed_(lmp), running_(lmp), held_(lmp),
   freshSetup_(false), sumStep_(-1), sums_()
 {
@@ -124,6 +125,7 @@ void FixFluidForce::post_create()
     if (nonReactingRead_) create_non_reacting();
     if (torqueRead_) create_torque();
     if (addedMassRead_) create_added_mass();
+    if (workRead_) create_work();
     properties_.create_states();
   }
 

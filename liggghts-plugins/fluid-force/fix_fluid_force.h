@@ -50,9 +50,11 @@ namespace LAMMPS_NS {
      fluidSpin[3] fluidSpinCoefficient fluidExplicitTorque[3]       the same with useTorque
      fluidTorque[3]                         coupled with useTorque, uniform with rotation yes
      fluidAddedMass                         coupled with useAddedMass
+     fluidWork fluidPowerGrowth                                     the same with useWork
      fluidState_<name>                                                     the same, addState
-   fluidNonReactingApplied: forces without reaction of the latest step, N. Meaning and units of
-   the others: fluid_force_exchange.h.
+   fluidNonReactingApplied: forces without reaction of the latest step, N. fluidPowerGrowth: forces with
+   reaction of the latest step times the acceleration by all forces, W/s. Meaning and units of the
+   others: fluid_force_exchange.h.
 
    A restart file from the middle of a run of style coupled holds what the next run needs to go on
    as if that had not stopped: running_state.h. What a coupling had asked for comes back with
@@ -113,13 +115,14 @@ class FixFluidForce : public Fix {
   class FixPropertyAtom *nonReactingImpulse_, *nonReactingApplied_;
   class FixPropertyAtom *fluidSpin_, *spinCoefficient_, *explicitTorque_, *fluidTorque_;
   class FixPropertyAtom *addedMass_;
+  class FixPropertyAtom *work_, *powerGrowth_;
 
   // ---- style coupled
 
   FluidForceExchange exchange_;
   bool exchangeOpen_;               // a coupling has asked for the exchange
-  bool nonReactingRequested_, torqueRequested_, addedMassRequested_;    // by that coupling
-  bool nonReactingRead_, torqueRead_, addedMassRead_;                   // are in the restart file
+  bool nonReactingRequested_, torqueRequested_, addedMassRequested_, workRequested_;    // by that coupling
+  bool nonReactingRead_, torqueRead_, addedMassRead_, workRead_;                        // are in the restart file
   RemovedGrains removed_;
   RunningState running_;
 
@@ -135,6 +138,7 @@ class FixFluidForce : public Fix {
   void create_non_reacting();
   void create_torque();
   void create_added_mass();
+  void create_work();
   void drop_unrequested();
 
   void refresh_exchange();
@@ -149,6 +153,13 @@ class FixFluidForce : public Fix {
   bool push(double kick, bool remove, bool book);
   template<bool UNIFORM> bool turn(double kick, bool remove);
 
+  // Work of the half kick before, by the forces before push(), and of the half kick to come, by
+  // those after it
+  bool books_work() const { return work_ && (workRequested_ || !exchangeOpen_); }
+  void book_work_before();
+  void book_work_after(bool book);
+  void reacting_force(int, double *) const;
+
   const double *fluid_velocity(int) const;
   void sum();
   void refuse_force();
@@ -161,6 +172,7 @@ class FixFluidForce : public Fix {
   static void use_non_reacting(FluidForceExchange *);
   static void use_torque(FluidForceExchange *);
   static void use_added_mass(FluidForceExchange *);
+  static void use_work(FluidForceExchange *);
   static int add_state(FluidForceExchange *, const char *, int, const double *);
   static double *state(FluidForceExchange *, int);
 };

@@ -41,12 +41,14 @@ void FixFluidForce::refresh_exchange()
     exchange_.explicitTorque = explicitTorque_->array_atom;
   }
   if (addedMassRequested_) exchange_.addedMass = addedMass_->vector_atom;
+  if (workRequested_) exchange_.work = work_->vector_atom;
   exchange_.nRemoved = removed_.grains().size();
   exchange_.removed = removed_.grains().data();
   exchange_.clearRemoved = clear_removed;
   exchange_.useNonReacting = use_non_reacting;
   exchange_.useTorque = use_torque;
   exchange_.useAddedMass = use_added_mass;
+  exchange_.useWork = use_work;
   exchange_.addState = add_state;
   exchange_.state = state;
   exchange_.written = running_.written();
@@ -69,7 +71,8 @@ void FixFluidForce::collect_removed(bool deleting, double halfKick)
   if (!exchangeOpen_) return;
   refresh_exchange();
   removed_.collect(exchange_, deleting, halfKick,
-    nonReactingApplied_ ? nonReactingApplied_->array_atom : NULL);
+    nonReactingApplied_ ? nonReactingApplied_->array_atom : NULL,
+    workRequested_ ? powerGrowth_->vector_atom : NULL);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -95,6 +98,12 @@ void FixFluidForce::create_added_mass()
   addedMass_ = properties_.create("fluidAddedMass", {0.0});
 }
 
+void FixFluidForce::create_work()
+{
+  work_ = properties_.create("fluidWork", {0.0});
+  powerGrowth_ = properties_.create("fluidPowerGrowth", {0.0});
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixFluidForce::use_non_reacting(FluidForceExchange *exchange)
@@ -118,6 +127,14 @@ void FixFluidForce::use_added_mass(FluidForceExchange *exchange)
   FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
   if (!fix->addedMass_) fix->create_added_mass();
   fix->addedMassRequested_ = true;
+  fix->refresh_exchange();
+}
+
+void FixFluidForce::use_work(FluidForceExchange *exchange)
+{
+  FixFluidForce *fix = static_cast<FixFluidForce *>(exchange->fix);
+  if (!fix->work_) fix->create_work();
+  fix->workRequested_ = true;
   fix->refresh_exchange();
 }
 
@@ -174,8 +191,8 @@ int FixFluidForce::min_type()
 }
 
 /* ----------------------------------------------------------------------
-   Global part: numbers of RunningState, whether there are forces without reaction, torque and
-   added mass, states of the models
+   Global part: numbers of RunningState, whether there are forces without reaction, torque, added
+   mass and work, states of the models
 ------------------------------------------------------------------------- */
 
 void FixFluidForce::write_restart(FILE *fp)
@@ -184,6 +201,7 @@ void FixFluidForce::write_restart(FILE *fp)
   list.push_back(nonReactingForce_ != NULL);
   list.push_back(explicitTorque_ != NULL);
   list.push_back(addedMass_ != NULL);
+  list.push_back(books_work());
   properties_.pack(list, !exchangeOpen_);
 
   if (comm->me) return;
@@ -209,6 +227,7 @@ void FixFluidForce::restart(char *buf)
   nonReactingRead_ = *list++ != 0.0;
   torqueRead_ = *list++ != 0.0;
   addedMassRead_ = *list++ != 0.0;
+  workRead_ = *list++ != 0.0;
   properties_.unpack(list);
 }
 

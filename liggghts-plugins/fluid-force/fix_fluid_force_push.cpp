@@ -189,7 +189,10 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
   sumStep_ = -1;    // on all ranks alike, also on one without grains
   if (atom->nlocal == 0) return;
 
+  const bool work = books_work();
+  if (work && book) book_work_before();
   if (push(kick, remove, book)) refuse_force();
+  if (work) book_work_after(book);
   if (!fluidTorque_) return;
   if (uniform_ ? turn<true>(kick, remove) : turn<false>(kick, remove)) refuse_torque();
 }

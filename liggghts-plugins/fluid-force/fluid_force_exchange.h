@@ -26,8 +26,8 @@
 
    Two kinds of force are told apart: those whose reaction acts on the fluid, and those
    without (buoyancy, whose reaction is in the fluid's hydrostatic pressure). Each has its own
-   sum of impulses. A model without reaction, torque or state asks for them by a request;
-   what nobody has requested takes neither memory nor time.                          */
+   sum of impulses. A model without reaction, torque or state asks for them by a request, as does
+   a coupling for the work; what nobody has requested takes neither memory nor time.  */
 
 namespace LAMMPS_NS {
 
@@ -73,6 +73,9 @@ struct FluidForceExchange {
   double **impulse;              // [n][3] N s, of forces with reaction
   double **nonReactingImpulse;   // [n][3] N s, of forces without; NULL unless requested
   double **fluidForce;           // [n][3] N, all fluid forces of the latest DEM step
+  double *work;                  // [n] J, by which these kicks of forces with reaction changed the grain's
+                                 // kinetic energy: each kick times the mean of the velocities before
+                                 // and after it. NULL unless requested (useWork)
 
   // ---- Carried for the coupling. LIGGGHTS reads neither
 
@@ -101,6 +104,7 @@ struct FluidForceExchange {
     double radius;                // m
     double impulse[3];            // N s
     double nonReactingImpulse[3]; // N s, 0 unless requested
+    double work;                  // J, 0 unless requested
     double owner[3];
     Fate fate;
   };
@@ -116,6 +120,7 @@ struct FluidForceExchange {
   void (*useNonReacting)(FluidForceExchange *);
   void (*useTorque)(FluidForceExchange *);
   void (*useAddedMass)(FluidForceExchange *);
+  void (*useWork)(FluidForceExchange *);
 
   // State of a model: `size` numbers per grain, which move with it, are sorted and restart.
   // New grains get `initial` (`size` numbers). Returns an index. The same name and size again

@@ -105,7 +105,7 @@ bool RemovedGrains::find_marked()
 ------------------------------------------------------------------------- */
 
 void RemovedGrains::collect(const FluidForceExchange &state, bool deleting, double halfKick,
-  const double *const *nonReacting)
+  const double *const *nonReacting, const double *powerGrowth)
 {
   const Box box(domain);
   const bool marked = deleting && find_marked();
@@ -117,20 +117,21 @@ void RemovedGrains::collect(const FluidForceExchange &state, bool deleting, doub
     const bool deleted = marked && marked_[i];
     if (!deleted && !box.outside(x[i])) continue;
     record(i, deleted ? FluidForceExchange::DELETED : FluidForceExchange::LEFT_BOX, state,
-      halfKick, nonReacting ? nonReacting[i] : NULL);
+      halfKick, nonReacting ? nonReacting[i] : NULL, powerGrowth ? &powerGrowth[i] : NULL);
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
 void RemovedGrains::record(int i, FluidForceExchange::Fate fate, const FluidForceExchange &state,
-  double halfKick, const double *nonReacting)
+  double halfKick, const double *nonReacting, const double *powerGrowth)
 {
   FluidForceExchange::Removed grain;
   grain.tag = atom->tag[i];
   grain.mass = atom->rmass[i];
   grain.radius = atom->radius[i];
   grain.fate = fate;
+  grain.work = powerGrowth ? state.work[i] - 0.5 * halfKick * halfKick * *powerGrowth : 0.0;
   for (int dim = 0; dim < 3; dim++) {
     grain.position[dim] = atom->x[i][dim];
     grain.startPosition[dim] = state.startPosition[i][dim];
@@ -140,6 +141,7 @@ void RemovedGrains::record(int i, FluidForceExchange::Fate fate, const FluidForc
     grain.impulse[dim] = state.impulse[i][dim] + halfKick * (state.fluidForce[i][dim] - without);
     grain.nonReactingImpulse[dim] = state.nonReactingImpulse
       ? state.nonReactingImpulse[i][dim] + halfKick * without : 0.0;
+    if (powerGrowth) grain.work += halfKick * (state.fluidForce[i][dim] - without) * grain.velocity[dim];
   }
   grains_.push_back(grain);
 }

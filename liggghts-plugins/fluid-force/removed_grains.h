@@ -31,9 +31,10 @@ class RemovedGrains : protected Pointers {
   // Books the grains that are removed now. deleting: fixes massflow/mesh delete theirs, too,
   // which they do in a step that makes lists but not in a set-up. halfKick: time (s) during
   // which grains have felt the fluid force since their impulse was last updated. nonReacting:
-  // force (N) without reaction of the latest step, NULL if none.
+  // force (N) without reaction of the latest step, NULL if none. powerGrowth: force with reaction
+  // times acceleration (W/s) of that step, NULL unless the work is asked for.
   void collect(const FluidForceExchange &, bool deleting, double halfKick,
-    const double *const *nonReacting);
+    const double *const *nonReacting, const double *powerGrowth);
 
   void clear() { grains_.clear(); }
   const std::vector<FluidForceExchange::Removed> &grains() const { return grains_; }
@@ -59,7 +60,7 @@ class RemovedGrains : protected Pointers {
 
   bool find_marked();    // are there any?
   void record(int, FluidForceExchange::Fate, const FluidForceExchange &, double halfKick,
-    const double *nonReacting);
+    const double *nonReacting, const double *powerGrowth);
 };
 
 }

@@ -75,7 +75,7 @@ class RunningState : protected Pointers {
   // number of the fix massflow/mesh that has marked it (0: none) and place among those
   enum { VALID, LISTED, PRESENT = LISTED + 3, FORCE = PRESENT + 3, TORQUE = FORCE + 3,
          MARKED_BY = TORQUE + 3, PLACE };
-  static constexpr double LAYOUT = 3.0;    // of the fix' data in a file
+  static constexpr double LAYOUT = 4.0;    // of the fix' data in a file
   enum { VERSION, IN_RUN, STAMP, STEP, GRAINS, NEXT_SORT, AGO, NSAVED };
 
   std::vector<double> listed_;     // positions in the lists, three a grain

@@ -8,6 +8,8 @@
 #include "couplingEntries.H"
 #include "entryError.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingChecks::couplingChecks
@@ -131,36 +133,47 @@ void Foam::couplingChecks::sameGravity(const vector* solver, const vector* scrip
         return;
     }
 
+    // Not with the digits of the fields
+    std::ostringstream message;
+    message.precision(9);
+    const auto write = [&](const vector& v)
+    {
+        message << v.x() << ' ' << v.y() << ' ' << v.z();
+    };
+
+    if (script)
+    {
+        message << "gravity is (";
+        write(*script);
+        message << ')';
+    }
+    else
+    {
+        message << "there is no fix gravity";
+    }
+    message << ", but that of the solver (" << mesh_.time().constant() << "/g) is (";
+    write(*solver);
+    message << ") m/s2: weight and buoyancy of grains would not be of one gravity. ";
+
+    const scalar size = mag(*solver);
+    if (size > 0)
+    {
+        message << "Write in the script\n    fix g all gravity " << size << " vector ";
+        write(*solver/size);
+        message << "\nor change ";
+    }
+    else
+    {
+        message << "Take fix gravity out, or change ";
+    }
+    message << mesh_.time().constant() << "/g";
+
     couplingEntries::onMaster
     (
         [&]()
         {
-            const scalar size = mag(*solver);
             FatalIOErrorInEntry(dict_, "script")
-                << "script " << script_ << ": ";
-            if (script)
-            {
-                FatalIOError << "gravity is " << *script;
-            }
-            else
-            {
-                FatalIOError << "there is no fix gravity";
-            }
-            FatalIOError
-                << ", but that of the solver (" << mesh_.time().constant() << "/g) is " << *solver
-                << " m/s2: weight and buoyancy of grains would not be of one gravity. ";
-            if (size > 0)
-            {
-                const vector n(*solver/size);
-                FatalIOError
-                    << "Write in the script\n    fix g all gravity " << size << " vector "
-                    << n.x() << ' ' << n.y() << ' ' << n.z() << "\nor change ";
-            }
-            else
-            {
-                FatalIOError << "Take fix gravity out, or change ";
-            }
-            FatalIOError << mesh_.time().constant() << "/g" << exit(FatalIOError);
+                << "script " << script_ << ": " << message.str().c_str() << exit(FatalIOError);
         }
     );
 }

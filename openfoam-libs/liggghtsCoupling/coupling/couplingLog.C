@@ -105,6 +105,10 @@ void Foam::couplingLog::writeTableHeader()
         os,
         "bytes sent and searches through the mesh: since the start"
     );
+    if (joule_)
+    {
+        writeHeader(os, joule_->header());
+    }
     writeCommented(os, "Time");
     for
     (
@@ -122,6 +126,13 @@ void Foam::couplingLog::writeTableHeader()
     {
         writeTabbed(os, column);
     }
+    if (joule_)
+    {
+        for (const word& column : joule_->columns())
+        {
+            writeTabbed(os, column);
+        }
+    }
     os << endl;
 }
 
@@ -132,7 +143,8 @@ Foam::couplingLog::couplingLog
 (
     const fvMesh& mesh,
     const bool twoWay,
-    const bool full
+    const bool full,
+    const bool energy
 )
 :
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
@@ -154,7 +166,8 @@ Foam::couplingLog::couplingLog
     sumExchanged_(0),
     latestToGrains_(Zero),
     toFluid_(Zero),
-    owed_(Zero)
+    owed_(Zero),
+    joule_(energy ? new energyBalance(full) : nullptr)
 {
     if (Pstream::master())
     {
@@ -168,7 +181,9 @@ Foam::couplingLog::couplingLog
 void Foam::couplingLog::closeFluidStep
 (
     grainMomentum& momentum,
-    const voidFractionEquations* equations
+    const voidFractionEquations* equations,
+    const energyExchange* energy,
+    const compressibleVoidFraction* gas
 )
 {
     if (twoWay_)
@@ -180,6 +195,10 @@ void Foam::couplingLog::closeFluidStep
             toFluid_ += equations->received();
             owed_ += equations->owed();
         }
+    }
+    if (energy)
+    {
+        joule_->closeFluidStep(*energy, gas);
     }
 }
 
@@ -253,6 +272,11 @@ void Foam::couplingLog::write(const step& values)
       ? mag(sumToGrains_ + sumToFluid_ + owed - owedBefore_)/sumExchanged_
       : 0;
 
+    if (joule_)
+    {
+        joule_->add(values.received.work, first);
+    }
+
     const scalar done = time.value() - startTime_;
     const scalar secondsLeft =
         (now - startSeconds_)
@@ -270,8 +294,12 @@ void Foam::couplingLog::write(const step& values)
         << " m/s, Rayleigh ";
     printProvided(values.counts.rayleigh);
     Info<< " %, momentum to grains " << toGrains
-        << " N s, imbalance " << imbalance
-        << ", time fluid " << label(100*fluidSeconds/all + 0.5)
+        << " N s, imbalance " << imbalance;
+    if (joule_)
+    {
+        joule_->print(Info);
+    }
+    Info<< ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
         << " %, still ";
@@ -308,8 +336,12 @@ void Foam::couplingLog::write(const step& values)
         os  << tab << imbalance << tab << fluidSeconds
             << tab << values.demSeconds << tab << couplingSeconds
             << tab << remote << tab << digits(sums[2]).c_str()
-            << tab << digits(removed[2]).c_str()
-            << endl;
+            << tab << digits(removed[2]).c_str();
+        if (joule_)
+        {
+            joule_->write(os);
+        }
+        os  << endl;
     }
     ownSeconds_ = clock_.elapsedTime() - now;
 }

@@ -37,12 +37,14 @@ const Foam::dictionary& checkedCase
 
 void Foam::couplingPipeline::start()
 {
+    liggghtsSession::requests requests(forces_.requests());
+    requests.work = bool(energy_);
     {
         // LIGGGHTS may divide by zero on its way to an error of its own, or to the checks below
         const noFloatTraps quiet;
         session_.start
         (
-            dict_.get<fileName>("script"), former_.grains(), forces_.requests(),
+            dict_.get<fileName>("script"), former_.grains(), requests,
             demSteps::adjusted(fluid_.mesh().time())
         );
     }
@@ -78,6 +80,17 @@ void Foam::couplingPipeline::start()
 }
 
 
+Foam::wordList Foam::couplingPipeline::stateFiles() const
+{
+    wordList names(momentum_.momentum().files());
+    if (equations_)
+    {
+        names.append(equations_->files());
+    }
+    return names;
+}
+
+
 void Foam::couplingPipeline::writeState()
 {
     const tmp<vectorField> tstress
@@ -85,6 +98,26 @@ void Foam::couplingPipeline::writeState()
         equations_ ? equations_->write() : tmp<vectorField>(vectorField::null())
     );
     momentum_.momentum().write(tstress());
+}
+
+
+Foam::autoPtr<Foam::voidFractionEquations> Foam::couplingPipeline::newEquations()
+{
+    autoPtr<voidFractionEquations> equations;
+    if (voidFractionEquations::full(dict_))
+    {
+        const volScalarField& e = averages_.voidFraction();
+        const volVectorField& q = averages_.solidsFlux();
+        if (fluid_.compressible())
+        {
+            equations.reset(new compressibleVoidFraction(fluid_, e, q));
+        }
+        else
+        {
+            equations.reset(new voidFractionEquations(fluid_, e, q));
+        }
+    }
+    return equations;
 }
 
 
@@ -104,20 +137,33 @@ Foam::couplingPipeline::couplingPipeline
     former_(fluid.mesh()),
     steps_(dict, fluid.mesh(), former_.deltaT()),
     averages_(dict, locator_),
-    equations_
+    equations_(newEquations()),
+    gas_(dynamic_cast<compressibleVoidFraction*>(equations_.get())),
+    momentum_(dict, fluid),
+    energy_
     (
-        voidFractionEquations::full(dict)
-      ? new voidFractionEquations(fluid, averages_.voidFraction(), averages_.solidsFlux())
+        couplingEntries::twoWay(dict) && !energyExchange::fieldName(fluid.mesh()).empty()
+      ? new energyExchange(fluid)
       : nullptr
     ),
-    momentum_(dict, fluid),
     session_
     (
         fluid.mesh().time().globalPath(),
         dict.lookupOrDefault<fileName>("log", "log.liggghts")
     ),
-    log_(fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict))
+    log_
+    (
+        fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict), bool(energy_)
+    )
 {
+    if (energy_)
+    {
+        couplingEntries::onMaster([&](){ energyExchange::checkEntries(dict); });
+    }
+    if (former_.continues())
+    {
+        energyExchange::keepOldTimes(fluid.mesh());
+    }
     start();
 
     vector g;
@@ -132,7 +178,7 @@ Foam::couplingPipeline::couplingPipeline
     (
         new couplingRestart
         (
-            fluid.mesh(), session_, momentum_.momentum(), [this](){ writeState(); }, log_, former_
+            fluid.mesh(), session_, stateFiles(), [this](){ writeState(); }, log_, former_
         )
     );
     cloud.show(session_);
@@ -167,7 +213,7 @@ void Foam::couplingPipeline::advance()
     {
         equations_->closeStep();
     }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get());
+    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), gas_);
 
     step.cells = averages_.update(*grains_);
     if (equations_)
@@ -187,7 +233,7 @@ void Foam::couplingPipeline::advance()
     step.received = momentum_.receive
     (
         *grains_, forces_, records_, averages_,
-        equations_ ? equations_->feltStress()() : vectorField::null()
+        equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get()
     );
 
     step.counts = session_.counts();
@@ -206,6 +252,22 @@ void Foam::couplingPipeline::addSup(fvMatrix<vector>& eqn) const
         equations_->addSup(eqn);
     }
     momentum_.addSup(eqn);
+}
+
+
+void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn)
+{
+    if (gas_)
+    {
+        gas_->addEnergySup(eqn);
+    }
+    energy_->addSup(eqn, momentum_.momentum());
+}
+
+
+void Foam::couplingPipeline::addContinuitySup(fvMatrix<scalar>& eqn) const
+{
+    gas_->addContinuitySup(eqn);
 }
 
 

@@ -59,7 +59,7 @@ Foam::wordList Foam::couplingRestart::optionalFiles() const
             names.append(name);
         }
     }
-    names.append(momentum_.files());
+    names.append(stateFiles_);
     Foam::sort(names);
     return names;
 }
@@ -71,7 +71,7 @@ Foam::couplingRestart::couplingRestart
 (
     const fvMesh& mesh,
     liggghtsSession& session,
-    const grainMomentum& momentum,
+    const wordList& stateFiles,
     const std::function<void()>& writeState,
     couplingLog& log,
     const formerRun& former
@@ -90,7 +90,7 @@ Foam::couplingRestart::couplingRestart
     ),
     mesh_(mesh),
     session_(session),
-    momentum_(momentum),
+    stateFiles_(stateFiles),
     writeState_(writeState),
     log_(log)
 {

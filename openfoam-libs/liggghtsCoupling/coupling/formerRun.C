@@ -136,7 +136,8 @@ Foam::wordList Foam::formerRun::traces() const
         const char* field
       : {
             "voidFraction", "particleVelocity", "dragCoefficient",
-            "particleMomentumSource", "particleMomentumOwed"
+            "particleMomentumSource", "particleMomentumOwed",
+            "particleEnergySource", "particleEnergyOwed"
         }
     )
     {

@@ -65,12 +65,35 @@ void Foam::fv::liggghtsCoupling::begin()
 }
 
 
+void Foam::fv::liggghtsCoupling::advance()
+{
+    if (timeIndex_ != mesh_.time().timeIndex())
+    {
+        checkSources();
+        warnOfRelaxation();
+        timeIndex_ = mesh_.time().timeIndex();
+        pipeline_->advance();
+    }
+}
+
+
 void Foam::fv::liggghtsCoupling::checkSources() const
 {
     const bool firstStep = (timeIndex_ == mesh_.time().startTimeIndex());
     for (label i = 1; i < applied_.size(); ++i)
     {
-        if (!firstStep && !applied_[i])
+        if (firstStep || applied_[i])
+        {
+            continue;
+        }
+        if (fieldNames_[i] == energy_ || fieldNames_[i] == continuity_)
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "The solver has " << fieldNames_[i] << ", but has not asked for sources of its equation,"
+                << " so the gas would not get what grains give to it. Take rhoPimpleFoam or sonicFoam, or"
+                << " set coupling oneWay" << exit(FatalIOError);
+        }
+        else
         {
             FatalIOErrorInEntry(coeffs_, "turbulenceSources")
                 << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
@@ -122,6 +145,14 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
 :
     option(name, modelType, dict, mesh),
     turbulence_(grainTurbulence::New(coeffs_, mesh)),
+    energy_
+    (
+        couplingEntries::twoWay(coeffs_) ? energyExchange::fieldName(mesh) : word::null
+    ),
+    continuity_
+    (
+        !energy_.empty() && voidFractionEquations::full(coeffs_) ? word("rho") : word::null
+    ),
     cloud_(mesh),
     timeIndex_(mesh.time().timeIndex()),
     relaxation_(1),
@@ -131,6 +162,14 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     if (turbulence_)
     {
         fieldNames_.append(turbulence_->fields());
+    }
+    if (!energy_.empty())
+    {
+        fieldNames_.append(energy_);
+    }
+    if (!continuity_.empty())
+    {
+        fieldNames_.append(continuity_);
     }
     applied_.setSize(fieldNames_.size(), false);
     fluidKinds::watch(mesh);
@@ -151,13 +190,7 @@ void Foam::fv::liggghtsCoupling::addSup
     }
     fluid_->checkEquation(eqn);
 
-    if (timeIndex_ != mesh_.time().timeIndex())
-    {
-        checkSources();
-        warnOfRelaxation();
-        timeIndex_ = mesh_.time().timeIndex();
-        pipeline_->advance();
-    }
+    advance();
     noteRelaxation(eqn);
     pipeline_->addSup(eqn);
 }
@@ -173,6 +206,13 @@ void Foam::fv::liggghtsCoupling::addSup
     if (!pipeline_)
     {
         begin();
+    }
+    if (fieldNames_[fieldi] == continuity_)
+    {
+        // The step of a solver for a gas begins with continuity
+        advance();
+        pipeline_->addContinuitySup(eqn);
+        return;
     }
     const momentumExchange& momentum = pipeline_->momentum();
     const tmp<volScalarField> trho(fluid_->rho());
@@ -195,6 +235,29 @@ void Foam::fv::liggghtsCoupling::addSup
 )
 {
     addSup(eqn, fieldi);
+}
+
+
+void Foam::fv::liggghtsCoupling::addSup
+(
+    const volScalarField& rho,
+    fvMatrix<scalar>& eqn,
+    const label fieldi
+)
+{
+    if (fieldNames_[fieldi] != energy_)
+    {
+        addSup(eqn, fieldi);
+        return;
+    }
+    if (!pipeline_ || timeIndex_ != mesh_.time().timeIndex())
+    {
+        FatalIOErrorInFunction(coeffs_)
+            << "The solver asks for sources of " << energy_ << " before those of its momentum equation."
+            << " liggghtsCoupling needs a solver that begins a step with momentum, such as rhoPimpleFoam"
+            << exit(FatalIOError);
+    }
+    pipeline_->addEnergySup(eqn);
 }
 
 

@@ -13,6 +13,7 @@
 #include "fvMatrices.H"
 #include "surfaceFields.H"
 #include "turbulenceModel.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -183,6 +184,12 @@ void Foam::compressibleFluid::checkSolver() const
         refuse("is a steady solver (its algorithm is SIMPLE), while grains need the time");
     }
     checkTimeScheme();
+    if (voidFractionEquations::full(dict_))
+    {
+        FatalIOErrorInEntry(dict_.subDict("voidFraction"), "equations")
+            << "equations full is for solvers whose velocity is free of divergence, such as pimpleFoam."
+            << " In a solver for a compressible fluid set equations neglected" << exit(FatalIOError);
+    }
 
     checkField<volVectorField>("U", dimVelocity);
     checkField<volScalarField>("p", dimPressure);
@@ -288,7 +295,13 @@ const Foam::volScalarField& Foam::compressibleFluid::p() const
 
 Foam::tmp<Foam::volScalarField> Foam::compressibleFluid::rho() const
 {
-    return mesh_.lookupObject<volScalarField>(rhoName);
+    return *equationRho();
+}
+
+
+const Foam::volScalarField* Foam::compressibleFluid::equationRho() const
+{
+    return &mesh_.lookupObject<volScalarField>(rhoName);
 }
 
 

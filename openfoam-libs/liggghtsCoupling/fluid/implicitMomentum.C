@@ -139,7 +139,8 @@ void Foam::implicitMomentum::set
     {
         const label celli = cells[i];
         const scalar e = fluid_.equationVoidFraction(celli);
-        const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
+        const scalar kappa =
+            slope[i]*dt/(rho[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]);
         const vector now(e*owed_[celli]/(1 + kappa));
         const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
@@ -168,6 +169,17 @@ void Foam::implicitMomentum::set
     for (const label celli : cells)
     {
         number_[celli] = -1;
+    }
+}
+
+
+void Foam::implicitMomentum::addWorkOwed(scalarField& work) const
+{
+    const volVectorField& U = fluid_.U();
+    for (const cellSource& source : sources_)
+    {
+        const vector& u = U[source.cell];
+        work[source.cell] += (source.later + source.slope*(u - source.U0)*dt_) & u;
     }
 }
 

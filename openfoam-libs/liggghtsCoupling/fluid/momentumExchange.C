@@ -34,7 +34,11 @@ void Foam::momentumExchange::deposit
                     r.dragCoefficient, r.allCoefficients, r.mass, r.addedMass, dt, r.voidFraction
                 );
             }
-            return exchanged{impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass};
+            return exchanged
+            {
+                impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass,
+                work_.empty() ? 0 : work_[g]
+            };
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {
@@ -43,6 +47,7 @@ void Foam::momentumExchange::deposit
             sum.dragCoefficient += fraction*e.dragCoefficient;
             sum.slope += fraction*e.slope;
             sum.mass += fraction*e.mass;
+            sum.work += fraction*e.work;
         }
     );
 }
@@ -84,7 +89,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     const grainForces& forces,
     const UList<grainForces::record>& records,
     cellAverages& averages,
-    const vectorField& stress
+    const vectorField& stress,
+    energyExchange* energy
 )
 {
     const fvMesh& mesh = dragCoefficient_.mesh();
@@ -103,21 +109,28 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     const ownedGrains::received received = grains.receiveImpulse
     (
         impulse_,
-        [&](const label celli, const vector& impulse)
+        work_,
+        [&](const label celli, const vector& impulse, const scalar work)
         {
-            averages.cells().sum(exchanged_, celli).impulse += impulse;
+            exchanged& sum = averages.cells().sum(exchanged_, celli);
+            sum.impulse += impulse;
+            sum.work += work;
         }
     );
     deposit(grains, records, averages, dt);
     if (averages.filter())
     {
-        averages.filter()->spread(averages.cells(), exchanged_);
+        averages.filter()->spread
+        (
+            averages.cells(), exchanged_, energy ? exchanged::all : exchanged::withoutWork
+        );
     }
 
     const labelUList& cells = averages.cells().cells();
     felt_.clear();
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
+    scalarField work(energy ? cells.size() : 0);
     forAll(cells, i)
     {
         const label celli = cells[i];
@@ -134,7 +147,23 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
         }
         else if (!full_ && !setI_)
         {
-            e.impulse += dt*averages.solidVolume(i)*forces.stressDensity(celli);
+            const vector reaction
+            (
+                dt*averages.solidVolume(i)*forces.stressDensity(celli)
+            );
+            e.impulse += reaction;
+            e.work += reaction & averages.particleVelocity()[celli];
+        }
+        else if (full_ && energy)
+        {
+            // The gas' equation leaves this work to the grains
+            e.work +=
+                dt*(1 - averages.voidFraction()[celli])*V[celli]
+               *(stress[celli] & averages.particleVelocity()[celli]);
+        }
+        if (energy)
+        {
+            work[i] = e.work;
         }
 
         impulse[i] = e.impulse;
@@ -150,6 +179,10 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     if (twoWay_)
     {
         momentum_->set(cells, impulse, slope, felt_, dt);
+    }
+    if (energy)
+    {
+        energy->set(cells, work, dt);
     }
     return received;
 }

@@ -41,7 +41,7 @@ IOobject continuedHeader(const word& name, const carrierFluid& fluid)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::voidFractionEquations::setFluidVelocity(volVectorField& u) const
 {

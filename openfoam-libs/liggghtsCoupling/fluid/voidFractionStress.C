@@ -16,7 +16,7 @@ Description
 #include "gradScheme.H"
 #include "turbulenceModel.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::effectiveViscosity() const
 {

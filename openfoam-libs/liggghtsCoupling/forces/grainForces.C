@@ -218,7 +218,7 @@ Foam::grainForces::grainForces
 {
     needs_.begin("coupling", dict);
     U_ = needs_.quantity("U");
-    if (voidFractionEquations::full(dict))
+    if (voidFractionEquations::full(dict) && !fluid.compressible())
     {
         voidFraction_ = needs_.quantity("voidFraction");
     }

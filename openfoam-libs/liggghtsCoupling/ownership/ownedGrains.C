@@ -141,9 +141,10 @@ void Foam::ownedGrains::restoreOwners()
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
 
     // Cells are looked for at the positions at the beginning of the interval. Meanwhile both
-    // positions of each grain and its impulse are kept here
+    // positions of each grain, its impulse and its work are kept here
     List<Pair<vector>> positions(grains.n);
     vectorField impulses(grains.n);
+    scalarField work(session_.requested().work ? grains.n : 0);
     boolList owned(grains.n);
     forAll(positions, atom)
     {
@@ -153,6 +154,10 @@ void Foam::ownedGrains::restoreOwners()
         positions[atom].first() = vectorOf(now);
         positions[atom].second() = vectorOf(start);
         impulses[atom] = vectorOf(exchange.impulse[atom]);
+        if (!work.empty())
+        {
+            work[atom] = exchange.work[atom];
+        }
         owned[atom] =
             owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
         if (owned[atom])
@@ -180,6 +185,10 @@ void Foam::ownedGrains::restoreOwners()
         copy(positions[atom].first(), grains.position[atom]);
         copy(positions[atom].second(), exchange.startPosition[atom]);
         copy(impulses[atom], exchange.impulse[atom]);
+        if (!work.empty())
+        {
+            exchange.work[atom] = work[atom];
+        }
         if (!owned[atom])
         {
             exchange.owner[atom][LAMMPS_NS::OWNER_RANK] = -1;

@@ -18,9 +18,30 @@ struct impulseParcel
     label number;
     label present;
     vector impulse;
+
+    static constexpr scalar work = 0;
+
+    void setWork(const scalar)
+    {}
+};
+
+
+// The same with the work
+struct workParcel
+{
+    label number;
+    label present;
+    vector impulse;
+    scalar work;
+
+    void setWork(const scalar given)
+    {
+        work = given;
+    }
 };
 
 template<> struct is_contiguous<impulseParcel> : std::true_type {};
+template<> struct is_contiguous<workParcel> : std::true_type {};
 
 } // End namespace Foam
 
@@ -213,6 +234,22 @@ template<class Left>
 Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
 (
     DynamicList<vector>& impulse,
+    DynamicList<scalar>& work,
+    const Left& left
+)
+{
+    return
+        session_.requested().work
+      ? receiveParcels<workParcel>(impulse, work, left)
+      : receiveParcels<impulseParcel>(impulse, work, left);
+}
+
+
+template<class Parcel, class Left>
+Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
+(
+    DynamicList<vector>& impulse,
+    DynamicList<scalar>& work,
     const Left& left
 )
 {
@@ -220,36 +257,47 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
     LAMMPS_NS::FluidForceExchange& removals = session_.fluidForce();
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
     const bool nonReacting = session_.requested().nonReacting;
+    const bool works = session_.requested().work;
     const label me = Pstream::myProcNo();
 
     makeRoom(impulse, cells_.size());
     impulse.setSize(cells_.size(), Zero);
+    work.clear();
+    if (works)
+    {
+        makeRoom(work, cells_.size());
+        work.setSize(cells_.size(), Zero);
+    }
     received all;
 
-    const auto arrive = [&](const impulseParcel& p)
+    const auto arrive = [&](const Parcel& p)
     {
         if (p.present)
         {
             impulse[p.number] += p.impulse;
+            if (works)
+            {
+                work[p.number] += p.work;
+            }
         }
         else
         {
-            left(previousCells_[p.number], p.impulse);
+            left(previousCells_[p.number], p.impulse, p.work);
         }
     };
 
-    List<DynamicList<impulseParcel>> parcels(Pstream::nProcs());
+    List<DynamicList<Parcel>> parcels(Pstream::nProcs());
 
-    const auto book = [&](const double* owner, const double* given)
+    const auto book = [&](const double* owner, const double* given, const scalar done)
     {
         const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
-        const impulseParcel parcel
-        {
-            label(owner[LAMMPS_NS::OWNER_NUMBER]),
-            label(owner[LAMMPS_NS::OWNER_PRESENT]),
-            vector(given[0], given[1], given[2])
-        };
+        Parcel parcel;
+        parcel.number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
+        parcel.present = label(owner[LAMMPS_NS::OWNER_PRESENT]);
+        parcel.impulse = vector(given[0], given[1], given[2]);
+        parcel.setWork(done);
         all.reacting += parcel.impulse;
+        all.work += done;
         if (rank == me)
         {
             arrive(parcel);
@@ -266,7 +314,7 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
 
     for (label atom = 0; atom < n; ++atom)
     {
-        book(exchange.owner[atom], exchange.impulse[atom]);
+        book(exchange.owner[atom], exchange.impulse[atom], works ? exchange.work[atom] : 0);
         if (nonReacting)
         {
             bookNonReacting(exchange.nonReactingImpulse[atom]);
@@ -276,18 +324,18 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
     for (label i = 0; i < removals.nRemoved; ++i)
     {
         const LAMMPS_NS::FluidForceExchange::Removed& grain = removals.removed[i];
-        book(grain.owner, grain.impulse);
+        book(grain.owner, grain.impulse, grain.work);
         bookNonReacting(grain.nonReactingImpulse);
         ++(grain.fate == LAMMPS_NS::FluidForceExchange::LEFT_BOX ? leftBox_ : deleted_);
     }
     removals.clearRemoved(&removals);
 
-    impulseBytes_ += ownerRoute::exchange<impulseParcel>
+    impulseBytes_ += ownerRoute::exchange<Parcel>
     (
         parcels,
-        [&](const label, const UList<impulseParcel>& incoming)
+        [&](const label, const UList<Parcel>& incoming)
         {
-            for (const impulseParcel& p : incoming)
+            for (const Parcel& p : incoming)
             {
                 arrive(p);
             }

@@ -159,6 +159,10 @@ void Foam::liggghtsSession::request()
     {
         exchange.useAddedMass(&exchange);
     }
+    if (requested_.work)
+    {
+        exchange.useWork(&exchange);
+    }
     for (const requests::state& state : requested_.states)
     {
         stateIndex_.push_back
@@ -297,7 +301,7 @@ Foam::liggghtsSession::fluidArrays Foam::liggghtsSession::fluidForces() const
         exchange.startPosition, exchange.owner, exchange.dragCoefficient,
         exchange.nonReactingCoefficient, exchange.nonReactingForce,
         exchange.nonReactingImpulse, exchange.fluidSpin, exchange.spinCoefficient,
-        exchange.explicitTorque, exchange.addedMass, {}
+        exchange.explicitTorque, exchange.addedMass, exchange.work, {}
     };
     for (const int index : stateIndex_)
     {

@@ -40,6 +40,11 @@ class Fluids(bad_case.BadCase):
             "solvers\n{", "solvers\n{ \"rho.*\" { solver diagonal; }"), ('"U.*"', '"(U|e).*"'))
         return folder
 
+    def transonic(self):
+        folder = self.compressible()
+        self.change(folder, "system/fvSolution", ("solver PCG; preconditioner DIC", "solver PBiCGStab; preconditioner DILU"))
+        return folder
+
     def kind(self, make, g=-9.81):
         """A folder with water and air, or another kind of fluid with gravity, and a script with that gravity."""
         folder = self.fresh()
@@ -59,7 +64,7 @@ class Fluids(bad_case.BadCase):
     def test_kinds_are_found_out(self):
         """No entry says which kind of fluid it is. On two ranks as well."""
         for make, solver, kind in (
-                (self.compressible, "rhoPimpleFoam", "compressible"), (self.compressible, "sonicFoam", "compressible"),
+                (self.compressible, "rhoPimpleFoam", "compressible"), (self.transonic, "sonicFoam", "compressible"),
                 (self.water, "interFoam", "VOF"), (self.water, "interIsoFoam", "VOF"),
                 (self.warm, "buoyantBoussinesqPimpleFoam", "Boussinesq"),
                 (self.air, "buoyantPimpleFoam", "buoyantCompressible")):
@@ -76,7 +81,7 @@ class Fluids(bad_case.BadCase):
         """Before the user is asked for transportProperties and rho."""
         for make, solver, entry, words in (
                 (self.compressible, "rhoPimpleFoam", "incompressible", ("compressible solver", "pimpleFoam, pisoFoam")),
-                (self.water, "interFoam", "incompressible", ("multiphase solver", "alpha.water")),
+                (self.water, "interFoam", "incompressible", ("multiphase solver", "alpha.")),
                 (self.warm, "buoyantBoussinesqPimpleFoam", "incompressible", ("not uniform", "rhok")),
                 (self.fresh, "pimpleFoam", "VOF", ("phase fraction", "interFoam, interIsoFoam")),
                 (self.fresh, "pimpleFoam", "Boussinesq", ("rhok",)),

@@ -49,7 +49,7 @@ sigma {sigma};
     (folder / "0/p").unlink()
     # the flux of a continued run stays as it is: pcorr is content with any
     dictionaries.change(folder / "system/fvSolution", (
-        "solvers\n{", 'solvers\n{ "pcorr.*" { solver PCG; preconditioner DIC; tolerance 10; relTol 0; }\n'
+        "solvers\n{", 'solvers\n{ pcorr { solver PCG; preconditioner DIC; tolerance 10; relTol 0; } pcorrFinal { $pcorr; }\n'
         '"alpha.*" { nAlphaCorr 1; nAlphaSubCycles 2; cAlpha 1; isoFaceTol 1e-8; surfCellTol 1e-8; nAlphaBounds 3;'
         " snapTol 1e-12; clip true; }"))
     dictionaries.change(folder / "system/fvSchemes", (
@@ -72,15 +72,17 @@ def boussinesq(folder, temperature, g, walls=True):
     dictionaries.change(folder / "system/fvSolution", ('"U.*"', '"(U|T).*"'))
 
 
-def buoyant_pimple(folder, p, g, temperature="300", walls=True, energy="Enthalpy"):
-    """buoyantPimpleFoam with air as a perfect gas. p: the text behind internalField."""
+def buoyant_pimple(folder, p, g, top=("1e5", "1e5"), energy="Enthalpy"):
+    """buoyantPimpleFoam with air at 300 K as a perfect gas, in a box with walls. p: the text behind internalField. top:
+    p and p_rgh at the upper wall, which hold the pressure: a box without such a place ends the stock solver with a
+    division by zero."""
     dictionaries.write(folder / "constant/thermophysicalProperties", THERMO.format(energy=energy))
     (folder / "constant/transportProperties").unlink()
     gravity(folder, g)
-    side = "type zeroGradient;" if walls else "type cyclic;"
-    dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", temperature, {".*": side})
+    dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", "300", {".*": "type zeroGradient;"})
     dictionaries.write_field(folder, "p", "1 -1 -2", p, {
-        ".*": "type calculated; value uniform 1e5;" if walls else side})
-    pressure(folder, False, walls, "1e5")
+        ".*": "type calculated; value uniform 1e5;", "zhi": f"type calculated; value uniform {top[0]};"})
+    pressure(folder, False, True, "1e5")
+    dictionaries.change(folder / "0/p_rgh", ("\n}\n", f"\nzhi {{ type fixedValue; value uniform {top[1]}; }}\n}}\n"))
     dictionaries.change(folder / "system/fvSolution", (
         "solvers\n{", 'solvers\n{ "rho.*" { solver diagonal; }'), ('"U.*"', '"(U|h|e).*"'))

@@ -1,0 +1,97 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "energyBalance.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::energyBalance::closeFluidStep
+(
+    const energyExchange& energy,
+    const compressibleVoidFraction* gas
+)
+{
+    toFluid_ = energy.received();
+    owed_ = energy.owed();
+    if (gas)
+    {
+        toFluid_ += gas->receivedEnergy();
+        owed_ += gas->owedEnergy();
+        mass_ = gas->mass();
+    }
+}
+
+
+void Foam::energyBalance::add(const scalar toGrains, const bool first)
+{
+    const vector sums = returnReduce
+    (
+        vector(toGrains, toFluid_, owed_), sumOp<vector>()
+    );
+    toFluid_ = sums[1];
+    owed_ = sums[2];
+    mass_ = returnReduce(mass_, sumOp<scalar>());
+    if (first)
+    {
+        owedBefore_ = owed_;
+    }
+
+    // The gas' part of a step is known once the step is over
+    sumToGrains_ += latestToGrains_;
+    sumExchanged_ += mag(latestToGrains_);
+    sumToFluid_ += toFluid_;
+    latestToGrains_ = sums[0];
+    imbalance_ =
+        sumExchanged_ > 0
+      ? mag(sumToGrains_ + sumToFluid_ + owed_ - owedBefore_)/sumExchanged_
+      : 0;
+}
+
+
+Foam::wordList Foam::energyBalance::columns() const
+{
+    wordList names({"energyToGrains", "energyToFluid", "energyOwed", "energyImbalance"});
+    if (full_)
+    {
+        names.append("gasMass");
+    }
+    return names;
+}
+
+
+Foam::string Foam::energyBalance::header() const
+{
+    string text
+    (
+        "energy [J]: work of forces with reaction on the grains (energyToGrains) in this step; to the gas and"
+        " still owed to it: step before"
+    );
+    if (full_)
+    {
+        text += "; gasMass [kg]: between the grains, with its debts, after the step before";
+    }
+    return text;
+}
+
+
+void Foam::energyBalance::print(Ostream& os) const
+{
+    os  << ", energy to grains " << latestToGrains_ << " J, imbalance " << imbalance_;
+}
+
+
+void Foam::energyBalance::write(Ostream& os) const
+{
+    os  << tab << latestToGrains_ << tab << toFluid_ << tab << owed_ << tab << imbalance_;
+    if (full_)
+    {
+        os  << tab << mass_;
+    }
+}
+
+
+// ************************************************************************* //
