@@ -115,7 +115,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("work", type=pathlib.Path)
     work = parser.parse_args().work
-    rows = [["cell/spacing", "formulation", "filter", "columns", "p/Bernoulli", "p behind/Bernoulli", "roughness", "largest deviation", "max |U|/V"]]
+    rows = [["cell/spacing", "formulation", "filter", "columns", "p/Bernoulli", "p behind/Bernoulli", "roughness", "largest deviation", "max U/V"]]
     figure, (along, over) = plt.subplots(1, 2, figsize=(11, 3.6), constrained_layout=True)
     for size, options in CASES:
         formulation = options.get("formulation", "SetII")
