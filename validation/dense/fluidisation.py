@@ -52,6 +52,8 @@ class Bed:
         self.low, self.high = low, high
         self.times = numpy.cumsum([0, up, hold, down])
         self.speeds = [low, high, high, low]
+        if hold + down == 0:
+            self.times, self.speeds = self.times[:2], self.speeds[:2]
         self.width = across*CELL
         self.area = self.width**2
         self.steps = round(self.times[-1]/FLUID_STEP)
@@ -117,7 +119,7 @@ class Ramp:
         # The whole bed is lifted, and not yet expanded
         lifted = (self.time < bed.times[1]) & (self.U > 1.03*self.rising["U_mf"]) & (self.U < 1.15*self.rising["U_mf"])
         self.lifted = self.carried[lifted].mean()
-        if bed.times[2] > bed.times[1]:
+        if len(bed.times) > 2:
             held = (self.time > bed.times[1]) & (self.time < bed.times[2])
             self.held = self.drop[held].mean()
             self.falling = self.branch(self.time > bed.times[2])
@@ -168,7 +170,7 @@ def main():
             rows.append([law, name, *(f"{x:.4f}" for x in (found.lifted, found.held, *branch.values()))])
             print(*rows[-1], sep="  ", flush=True)
             mask = found.time < bed.times[1] if name == "rising" else found.time > bed.times[1]
-            axes.plot(found.U[mask], found.drop[mask], linewidth=0.8, label=f"{law}, {name}")
+            axes.plot(found.U[mask], found.drop[mask], linewidth=0.8, linestyle="-" if law == "Ergun" else ":", label=f"{law}, {name}")
         curves += [[law, f"{t:.4f}", f"{u:.4f}", f"{y:.4f}"] for t, u, y in list(zip(found.time, found.U, found.drop))[::5]]
     rows.insert(0, ["law", "air", "carried/weight, lifted", "drop/weight, held", *found.rising])
     axes.axhline(1, color="black", linewidth=0.6)

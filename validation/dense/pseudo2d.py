@@ -13,6 +13,7 @@ polystyrene, so that a DEM step of 4e-5 s is 20 % of the Rayleigh time. One rank
 
 import argparse
 import csv
+import math
 import pathlib
 import random
 
@@ -22,7 +23,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import grainjet
-from grainjet import coupled_box as box, dictionaries, scripts, tables
+from grainjet import coupled_box as box, dictionaries, scripts
 
 HERE = pathlib.Path(__file__).resolve().parent
 WIDTH, DEPTH, HEIGHT = 0.09, 0.008, 0.3             # m
@@ -44,7 +45,6 @@ FIXES = f"""
 fix m5 all property/global coefficientRollingFriction peratomtypepair 1 0.025
 fix contact all hertz/cg tangential history rolling cdt
 {WALLS}
-variable wanted equal step*dt
 compute top all reduce max z
 compute middle all reduce ave z
 fix heights all print {SAMPLE*5} "$(step*dt) $(c_top) $(c_middle)" file heights.txt screen no title "time top middle"
@@ -62,11 +62,11 @@ def write(case):
              fields (p); writeFields no; log no; writeControl timeStep; writeInterval {SAMPLE}; }}
     above {{ type probes; libs (sampling); fields (p); probeLocations (({WIDTH/2} {DEPTH/2} {PROBE}));
             writeControl timeStep; writeInterval {SAMPLE}; }}""")
-    # Front and back: no friction of the air, as in a sheet of it
+    # No layer of the air at the walls, which would be thinner than a grain; the bed stands on the inlet
     dictionaries.write_field(case, "U", "0 1 -1", f"(0 0 {U})", f"""
-"x.*" {{ type noSlip; }} "y.*" {{ type slip; }} zlo {{ type fixedValue; value uniform (0 0 {U}); }}
+".*" {{ type slip; }} zlo {{ type fixedValue; value uniform (0 0 {U}); }}
 zhi {{ type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); }}""")
-    dictionaries.put(case/"system/fvSolution", tolerance="1e-7") if False else None
+    dictionaries.change(case/"0/p", ("zlo { type zeroGradient; }", "zlo { type fixedFluxExtrapolatedPressure; }"))
     box.fv_options(
         case, drag="DiFelice", forces="(pressureGradient viscous buoyancy)", couplingInterval="5",
         voidFraction=f"{{ model divided; equations full; filter {{ length {FILTER!r}; }} }}")
@@ -85,8 +85,57 @@ zhi {{ type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); }}""
     (case/"constant/grains.data").write_text(scripts.data(grains, ((0, WIDTH), (0, DEPTH), (0, HEIGHT))))
 
 
+def columns(path):
+    """Rows of numbers of a table, the first column in front; titles and incomplete rows are left out."""
+    rows = [line.replace(",", " ").split() for line in path.read_text().splitlines() if line[:1].isdigit() or line[:1] == " "]
+    return numpy.array([row for row in rows if len(row) == len(rows[0])], float).T
+
+
+def frequency(time, values):
+    """How often per second values rise through their mean."""
+    x = values - values.mean()
+    return ((x[1:] > 0) & (x[:-1] <= 0)).sum()/(time[-1] - time[0])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("work", type=pathlib.Path)
+    parser.add_argument("--reference", type=pathlib.Path, required=True)
+    arguments = parser.parse_args()
+    case = arguments.work/"bed"
+    if not case.exists():
+        write(case)
+        for program in ("blockMesh", "pimpleFoam"):
+            done = grainjet.run([program], case, timeout=20000)
+            if done.code:
+                raise SystemExit(f"{case}: {program}\n{done.output[-3000:]}")
+
+    t, h = columns(arguments.reference/"beds/pseudo2d_height.csv")
+    measured_t = numpy.arange(t[0], t[-1], 0.01)
+    measured = numpy.interp(measured_t, t, h)
+    time, top, middle = columns(case/"heights.txt")
+    late = time >= FIRST
+    floor_t, floor = columns(next(case.glob("postProcessing/bottom/0/*.dat")))
+    floor_t, floor = floor_t[floor_t >= FIRST], RHO*floor[floor_t >= FIRST]
+    weight = GRAINS*math.pi/6*D**3*(DENSITY - RHO)*9.81/(WIDTH*DEPTH)
+    rows = [["", "mean height mm", "rms mm", "lowest mm", "highest mm", "bubbles per s"]]
+    for name, at, y in (("measured", measured_t, measured), ("highest grain", time[late], top[late]),
+                        ("twice the mean height", time[late], 2*middle[late])):
+        rows.append([name, *(f"{1e3*v:.1f}" for v in (y.mean(), y.std(), y.min(), y.max())), f"{frequency(at, y):.2f}"])
+    rows.append(["by pressure at the floor", "", "", "", "", f"{frequency(floor_t, floor):.2f}"])
+    rows.append([f"pressure drop/weight {floor.mean()/weight:.3f}; until {time[-1]:.2f} s", "", "", "", "", ""])
+    print(*("  ".join(row) for row in rows), sep="\n")
+    with open(HERE/"results/pseudo2d.csv", "w", newline="") as file:
+        csv.writer(file).writerows(rows)
+
+    figure, axes = plt.subplots(figsize=(8, 3.6), constrained_layout=True)
+    axes.plot(t, 1e3*h, color="black", linewidth=0.9, label="measured")
+    axes.plot(time[late], 1e3*top[late], linewidth=0.9, label="highest grain")
+    axes.plot(time[late], 2e3*middle[late], linewidth=0.9, label="twice the mean height")
+    axes.set(xlabel="time, s", ylabel="height of the bed, mm", ylim=(60, 180))
+    axes.legend(fontsize="small")
+    figure.savefig(HERE/"results/pseudo2d.png", dpi=110)
+
+
 if __name__ == "__main__":
-    p = argparse.ArgumentParser()
-    p.add_argument("work", type=pathlib.Path)
-    a = p.parse_args()
-    write(a.work)
+    main()

@@ -56,7 +56,7 @@ class FluidBed(grainjet.Case):
     def test_goes_on(self):
         """A job that ended goes on with a later endTime, with its grains."""
         case = shrunk_copy(self.folder)
-        dictionaries.put(case/"system/parameters", endTime=0.02, writeInterval=0.02, ranks=1)
+        dictionaries.put(case/"system/parameters", sampleStart=0, endTime=0.02, writeInterval=0.02, ranks=1)
         self.assertIn("grains: 2195 of 2195", grainjet.run(["./Allrun"], case, timeout=800).output)
         dictionaries.put(case/"system/parameters", endTime=0.04)
         self.foam("pimpleFoam", case)
@@ -64,7 +64,8 @@ class FluidBed(grainjet.Case):
         self.assertIn("grains: 2195 of 2195", grainjet.run(["./bedResults"], case).output)
 
     def test_bad_numbers_end_the_job_with_a_message(self):
-        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"drag": "Gidaspov"}, ("Gidaspov", "log.pimpleFoam"))):
+        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart", "endTime")),
+                             ({"drag": "Gidaspov"}, ("Gidaspov", "log.pimpleFoam"))):
             with self.subTest(entry=entry):
                 folder = self.new_folder()
                 folder.mkdir()
