@@ -118,6 +118,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     felt_.clear();
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
+    scalarField mass(cells.size());
     forAll(cells, i)
     {
         const label celli = cells[i];
@@ -139,6 +140,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
         impulse[i] = e.impulse;
         slope[i] = e.slope;
+        mass[i] = e.mass;
         responseTime_[celli] =
             averages.filter() && averages.solidVolume(i) < grainFilter::tiny*V[celli]
           ? 0
@@ -149,7 +151,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
     if (twoWay_)
     {
-        momentum_->set(cells, impulse, slope, felt_, dt);
+        momentum_->set(cells, impulse, slope, mass, felt_, dt);
     }
     return received;
 }
