@@ -118,7 +118,7 @@ void Foam::implicitMomentum::set
     const labelUList& cells,
     const vectorField& impulse,
     const scalarField& slope,
-    const scalarField& mass,
+    const scalarField& response,
     const stressList& stress,
     const scalar dt
 )
@@ -141,9 +141,7 @@ void Foam::implicitMomentum::set
         const label celli = cells[i];
         const scalar e = fluid_.equationVoidFraction(celli);
         const scalar kappa = slope[i]*dt/(rho[celli]*V[celli]);
-        // Share of their slip that grains keep over the step
-        const scalar held = mass[i] > 0 ? max(1 - slope[i]*dt/mass[i], 0.0) : 1;
-        const vector now(e*(1 - held*kappa/(1 + kappa))*owed_[celli]);
+        const vector now(e*(1 - (1 - response[i])*kappa/(1 + kappa))*owed_[celli]);
         const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
         number_[celli] = i;
