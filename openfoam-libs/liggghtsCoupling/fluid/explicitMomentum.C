@@ -45,6 +45,7 @@ void Foam::explicitMomentum::set
     const labelUList& cells,
     const vectorField& impulse,
     const scalarField&,
+    const scalarField&,
     const stressList&,
     const scalar dt
 )

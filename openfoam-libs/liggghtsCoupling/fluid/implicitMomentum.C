@@ -118,6 +118,7 @@ void Foam::implicitMomentum::set
     const labelUList& cells,
     const vectorField& impulse,
     const scalarField& slope,
+    const scalarField& response,
     const stressList& stress,
     const scalar dt
 )
@@ -141,7 +142,7 @@ void Foam::implicitMomentum::set
         const scalar e = fluid_.equationVoidFraction(celli);
         const scalar kappa =
             slope[i]*dt/(rho[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]);
-        const vector now(e*owed_[celli]/(1 + kappa));
+        const vector now(e*(1 - (1 - response[i])*kappa/(1 + kappa))*owed_[celli]);
         const feltStress felt(stress.empty() ? unfelt : stress[i]);
 
         number_[celli] = i;

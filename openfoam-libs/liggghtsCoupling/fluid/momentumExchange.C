@@ -33,6 +33,10 @@ void Foam::momentumExchange::deposit
                 (
                     r.dragCoefficient, r.allCoefficients, r.mass, r.addedMass, dt, r.voidFraction
                 );
+                // A grain that is held received more than one that is free to move
+                const scalar seen =
+                    (impulse_[g] & r.slip)/(dt*r.voidFraction*(magSqr(r.slip) + VSMALL));
+                slope = max(slope, min(seen, r.dragCoefficient/r.voidFraction));
             }
             return exchanged
             {
@@ -131,6 +135,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
     scalarField work(energy ? cells.size() : 0);
+    scalarField response(cells.size());
     forAll(cells, i)
     {
         const label celli = cells[i];
@@ -168,6 +173,16 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
         impulse[i] = e.impulse;
         slope[i] = e.slope;
+        response[i] = 1;
+        if (e.slope > 0)
+        {
+            const scalar b = e.dragCoefficient;
+            const scalar free = grainMomentum::slope
+            (
+                b, b, e.mass, 0, dt, full_ ? averages.voidFraction()[celli] : 1
+            );
+            response[i] = free*dt/e.mass*min(free/e.slope, 1.0);
+        }
         responseTime_[celli] =
             averages.filter() && averages.solidVolume(i) < grainFilter::tiny*V[celli]
           ? 0
@@ -178,7 +193,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 
     if (twoWay_)
     {
-        momentum_->set(cells, impulse, slope, felt_, dt);
+        momentum_->set(cells, impulse, slope, response, felt_, dt);
     }
     if (energy)
     {

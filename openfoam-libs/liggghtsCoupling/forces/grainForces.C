@@ -322,17 +322,18 @@ Foam::scalar Foam::grainForces::act
         for (label i = 0; i < batch.n; ++i)
         {
             const label g = first + i;
+            const vector slip
+            (
+                grainBatch::get(batch.fluidVelocity, i) - grainBatch::get(batch.velocity, i)
+            );
             records[g] = record
             {
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i],
                 batch.addedMass[i],
-                voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i]
+                voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i],
+                slip
             };
-
-            slipSum += mag
-            (
-                grainBatch::get(batch.fluidVelocity, i) - grainBatch::get(batch.velocity, i)
-            );
+            slipSum += mag(slip);
         }
 
         if (voidFraction_ >= 0)
