@@ -123,11 +123,11 @@ class Results:
         yield (f"One grain = {p['cg']**3:g} particles of {1e6*p['dParticle']:g} um; sampled from "
                f"{1e3*p['sampleStart']:g} ms to {1e3*p['endTime']:g} ms")
         yield ""
-        yield "Along the axis   grains through the plane          grains    water    grains/   "
-        yield "    z/D           number    mass/inserted          m/s      m/s      water"
+        yield "Along the jet    grains through the plane          on the axis, m/s"
+        yield "    z/D        crossings   net mass/inserted     grains    water    grains/water"
         for plane, (_, _, v, u) in zip(self.planes, self.along_axis()):
             yield (f"{plane.position:7g}       {plane.crossings:10.0f}       {plane.kg_per_s/inserted:6.3f}"
-                   f"           {v:7.2f}  {u:7.2f}    {v/u:6.3f}")
+                   f"             {v:7.2f}  {u:7.2f}    {v/u:6.3f}")
         yield ""
         yield "Plate            hits     kg/(m2 s)     speed, m/s       angle from the normal, degrees"
         yield "    r/D                                mean     rms        mean     rms"
@@ -141,7 +141,7 @@ class Results:
         first = len(self.first())*self.grain_mass()/self.sampled()
         yield f"Garnet, kg/s     inserted {inserted:.4f}, first hits {first:.4f}, all hits " \
               f"{len(self.hits)*self.grain_mass()/self.sampled():.4f}"
-        n = round(self.sampled()/p["fluidStep"])
+        n = round(self.sampled()/p["fluidStep"])        # steps
         rho = p["rhoFluid"]
         yield (f"Water, kg/s      in {-rho*self.inflow[-n:].mean():.4f}, out {rho*self.outflow[-n:].mean():.4f}, "
                f"stored {rho*(self.water[-1] - self.water[-n - 1])/self.sampled():.4f} on the average")
