@@ -139,7 +139,7 @@ class Compressible(gas_box.GasCase):
                     gas_box.write(folder, solver=solver)
                 if solver == "rhoPimpleAdiabaticFoam":
                     dictionaries.change(folder / "constant/thermophysicalProperties",
-                                        ("molWeight 28.9; }", f"molWeight 28.9; }} equationOfState {{ R {gas_box.R!r}; }}"))
+                                        ("molWeight 28.9; }", f"molWeight 28.9; }} equationOfState {{ p0 1e5; T0 300; }}"))
                 box.script(folder, grains=box.grains(*box.swarm(3, 1)))
                 box.fv_options(folder, **{"fluid": "compressible", **options})
                 self.foam("blockMesh", folder)
