@@ -24,7 +24,7 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp, narg, arg), nonReacting_(false), torque_(false),
+  Fix(lmp, narg, arg), nonReacting_(false), torque_(false), work_(false),
   nonReactingCoefficient_(0.0), nonReactingForce_(0.0),
   spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), addedMass_(0.0), fluid_(NULL), mine_()
 {
@@ -49,6 +49,9 @@ FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
     } else if (strcmp(arg[n], "addedMass") == 0 && n + 1 < narg) {
       addedMass_ = atof(arg[n + 1]);
       n += 2;
+    } else if (strcmp(arg[n], "work") == 0) {
+      work_ = true;
+      n += 1;
     } else if (strcmp(arg[n], "state") == 0 && n + 2 < narg) {
       states_.push_back(State{arg[n + 1], atoi(arg[n + 2]), -1});
       n += 3;
@@ -85,12 +88,13 @@ void FixExchangeProbe::post_create()
 
   FluidForceExchange *fluid = exchange();
   if (fluid->nonReactingForce || fluid->nonReactingCoefficient || fluid->nonReactingImpulse
-    || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque || fluid->addedMass)
+    || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque || fluid->addedMass || fluid->work)
     error->all(FLERR, "Fix exchange/probe: arrays that nobody has requested");
 
   if (nonReacting_) fluid->useNonReacting(fluid);
   if (torque_) fluid->useTorque(fluid);
   if (addedMass_ != 0.0) fluid->useAddedMass(fluid);
+  if (work_) fluid->useWork(fluid);
   for (State &state : states_) {
     std::vector<double> initial;
     for (int k = 0; k < state.size; k++) initial.push_back(k + 0.25);
@@ -128,7 +132,9 @@ void FixExchangeProbe::take_removed()
       mine_[IMPULSE + k] += grain.impulse[k];
       mine_[NON_REACTING + k] += grain.nonReactingImpulse[k];
       mine_[MOMENTUM + k] += grain.mass * grain.velocity[k];
+      mine_[ENERGY] += 0.5 * grain.mass * grain.velocity[k] * grain.velocity[k];
     }
+    mine_[WORK] += grain.work;
     mine_[MASS] += grain.mass;
     mine_[FATE] = std::max(mine_[FATE], distance(grain.position, grain.startPosition));
   }
@@ -180,6 +186,10 @@ void FixExchangeProbe::end_of_step()
         fluid->explicitTorque[i][k] = k == 2 ? explicitTorque_ : 0;
       }
     }
+    if (work_) {
+      mine_[WORK] += fluid->work[i];
+      fluid->work[i] = 0;
+    }
     fluid->dragCoefficient[i] = coefficient_;
     if (nonReacting_) fluid->nonReactingCoefficient[i] = nonReactingCoefficient_;
     if (torque_) fluid->spinCoefficient[i] = spinCoefficient_;
@@ -195,6 +205,6 @@ void FixExchangeProbe::end_of_step()
 double FixExchangeProbe::compute_vector(int n)
 {
   double value;
-  MPI_Allreduce(&mine_[n], &value, 1, MPI_DOUBLE, n < SUMS ? MPI_SUM : MPI_MAX, world);
+  MPI_Allreduce(&mine_[n], &value, 1, MPI_DOUBLE, n == FAR || n == FATE ? MPI_MAX : MPI_SUM, world);
   return value;
 }

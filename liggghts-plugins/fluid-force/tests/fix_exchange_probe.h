@@ -17,13 +17,14 @@ namespace LAMMPS_NS {
 /* Plays the coupling for the tests of fix fluid/force coupled:
 
      fix ID all exchange/probe N ux shear b fx [nonReacting c fz] [torque C spin T]
-       [addedMass m] [state name size] ...
+       [addedMass m] [work] [state name size] ...
 
    Every N steps it takes the impulses through the exchange header, and then writes the fluid
    velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force (fx, 0, 0).
      nonReacting  requests forces without reaction: coefficient c, force (0, 0, fz)
      torque       requests torque: coefficient C, spin of the fluid (0, 0, spin), torque (0, 0, T)
      addedMass    requests added mass, m on every grain
+     work         requests the work of forces with reaction
      state        adds a state of `size` numbers, which begin with 0.25, 1.25, ...; every
                   exchange adds vx to the first, 2 vx to the second, ...
    Global vector:
@@ -34,7 +35,8 @@ namespace LAMMPS_NS {
      13    removed grains that were deleted by a fix massflow/mesh
      14    new grains whose state was not the initial one, since the start
      15    largest distance from the start position at the last exchange
-     16    largest distance between end and start position of a removed grain            */
+     16    largest distance between end and start position of a removed grain
+     17    work of forces with reaction, as 1-3          18    kinetic energy of removed grains  */
 class FixExchangeProbe : public Fix {
  public:
 
@@ -48,12 +50,12 @@ class FixExchangeProbe : public Fix {
  private:
 
   enum { IMPULSE, REMOVED = 3, MOMENTUM, MASS = 7, NEW, NON_REACTING, DELETED = 12, WRONG_STATE,
-         SUMS, FAR = SUMS, FATE, SIZE };
+         SUMS, FAR = SUMS, FATE, WORK, ENERGY, SIZE };
 
   struct State { std::string name; int size, index; };
 
   double wind_, shear_, coefficient_, explicit_;
-  bool nonReacting_, torque_;
+  bool nonReacting_, torque_, work_;
   double nonReactingCoefficient_, nonReactingForce_;
   double spinCoefficient_, spin_, explicitTorque_;
   double addedMass_;

@@ -135,9 +135,8 @@ Foam::wordList Foam::formerRun::traces() const
     (
         const char* field
       : {
-            "voidFraction", "particleVelocity", "dragCoefficient",
-            "particleMomentumSource", "particleMomentumOwed",
-            "particleEnergySource", "particleEnergyOwed"
+            "voidFraction", "particleVelocity", "dragCoefficient", "particleMomentumSource",
+            "particleMomentumOwed", "particleEnergySource", "particleEnergyOwed"
         }
     )
     {

@@ -13,7 +13,6 @@
 #include "fvMatrices.H"
 #include "surfaceFields.H"
 #include "turbulenceModel.H"
-#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -184,12 +183,6 @@ void Foam::compressibleFluid::checkSolver() const
         refuse("is a steady solver (its algorithm is SIMPLE), while grains need the time");
     }
     checkTimeScheme();
-    if (voidFractionEquations::full(dict_))
-    {
-        FatalIOErrorInEntry(dict_.subDict("voidFraction"), "equations")
-            << "equations full is for solvers whose velocity is free of divergence, such as pimpleFoam."
-            << " In a solver for a compressible fluid set equations neglected" << exit(FatalIOError);
-    }
 
     checkField<volVectorField>("U", dimVelocity);
     checkField<volScalarField>("p", dimPressure);

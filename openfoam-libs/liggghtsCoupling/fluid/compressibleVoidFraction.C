@@ -80,17 +80,13 @@ Foam::boolList Foam::compressibleVoidFraction::plays() const
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::compressibleVoidFraction::outflow(const bool ofGas) const
+Foam::tmp<Foam::scalarField> Foam::compressibleVoidFraction::outflow
+(
+    const surfaceScalarField& flux
+) const
 {
     tmp<scalarField> tsum(new scalarField(fluid_.mesh().nCells(), Zero));
-    if (ofGas)
-    {
-        fvc::surfaceIntegrate(tsum.ref(), (faceVoidFraction()*fluid_.phi())());
-    }
-    else
-    {
-        fvc::surfaceIntegrate(tsum.ref(), fluid_.phi());
-    }
+    fvc::surfaceIntegrate(tsum.ref(), flux);
     tsum.ref() *= fluid_.mesh().V();
     return tsum;
 }
@@ -102,7 +98,7 @@ Foam::tmp<Foam::scalarField> Foam::compressibleVoidFraction::leftOver() const
     const scalarField& e = voidFraction_.primitiveField();
     const tmp<volScalarField> trho(fluid_.rho());
     const scalarField& rho = trho().primitiveField();
-    const tmp<scalarField> tout(outflow(true));
+    const tmp<scalarField> tout(outflow((faceVoidFraction()*fluid_.phi())()));
     const boolList playing(plays());
 
     tmp<scalarField> tleft(new scalarField(V.size(), Zero));
@@ -293,12 +289,16 @@ void Foam::compressibleVoidFraction::addSup(fvMatrix<vector>& eqn) const
 
 void Foam::compressibleVoidFraction::addContinuitySup(fvMatrix<scalar>& eqn) const
 {
-    const scalarField& V = fluid_.mesh().V();
     const scalarField& e = voidFraction_.primitiveField();
-    const scalarField& e0 = voidFraction_.oldTime().primitiveField();
-    const tmp<scalarField> tofGas(outflow(true));
-    const tmp<scalarField> tofSolver(outflow(false));
     const boolList playing(plays());
+    const tmp<surfaceScalarField> tflux
+    (
+        eqn.psi().name() == fluid_.equationRho()->name() || !returnReduce(playing.found(true), orOp<bool>())
+      ? tmp<surfaceScalarField>(fluid_.phi())
+      : coming(eqn.psi())
+    );
+    const tmp<scalarField> tofGas(outflow((faceVoidFraction()*tflux())()));
+    const tmp<scalarField> tofSolver(outflow(tflux()));
 
     scalarField& source = eqn.source();
     forAll(source, celli)
@@ -307,10 +307,7 @@ void Foam::compressibleVoidFraction::addContinuitySup(fvMatrix<scalar>& eqn) con
         {
             source[celli] -=
                 tofSolver()[celli]
-              + (
-                    massSource_[celli] - tofGas()[celli]
-                  + (left_[celli] - startRho_[celli]*V[celli]*(e[celli] - e0[celli]))/dt_
-                )/e[celli];
+              + (gained(celli) - tofGas()[celli])/e[celli];
         }
     }
 }

@@ -9,12 +9,14 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "compressibleVoidFraction.H"
+#include "basicThermo.H"
 #include "ddtScheme.H"
 #include "fvcDdt.H"
 #include "fvcDiv.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
+#include "fvmLaplacian.H"
 #include "fvMatrices.H"
 #include "linear.H"
 
@@ -35,6 +37,23 @@ tmp<fv::ddtScheme<scalar>> schemeOf(const volScalarField& rho, const word& name)
     );
 }
 
+
+// Effective diffusivity of the energy at faces [kg/m s]. A static cast, since the type information of
+// basicThermo lies in a library that solvers of an incompressible fluid do not load
+tmp<surfaceScalarField> diffusivity(const fvMesh& mesh)
+{
+    const auto& thermo =
+        static_cast<const basicThermo&>(mesh.lookupObject<IOdictionary>("thermophysicalProperties"));
+    const auto* alphat = mesh.cfindObject<volScalarField>("alphat");
+    const tmp<volScalarField> tnone
+    (
+        alphat
+      ? tmp<volScalarField>(*alphat)
+      : volScalarField::New("alphat", mesh, dimensionedScalar(dimDensity*dimViscosity, Zero))
+    );
+    return linearInterpolate(thermo.alphaEff(tnone()));
+}
+
 } // End anonymous namespace
 
 
@@ -51,16 +70,20 @@ void Foam::compressibleVoidFraction::addEnergySup(fvMatrix<scalar>& eqn) const
     const surfaceScalarField gasFlux(faceVoidFraction()*phi);
     const surfaceScalarField solids(linearInterpolate(solidsFlux_) & mesh.Sf());
     const volScalarField::Internal share(1/voidFraction_.internalField());
+    const surfaceScalarField alpha(diffusivity(mesh));
     const word convection("div(" + phi.name() + ',' + he.name() + ')');
+    const word conduction("laplacian(alphaEff," + he.name() + ')');
     const word convectionOfK("div(" + phi.name() + ",K)");
     voidDensity_ == voidFraction_*rho;
 
     // The solver's terms out, those of the gas between the grains in
     eqn += fvm::ddt(rho, he);
     eqn += fvm::div(phi, he, convection);
+    eqn -= fvm::laplacian(alpha, he, conduction);
     tmp<fvMatrix<scalar>> town(schemeOf(rho, he.name()).ref().fvmDdt(voidDensity_, he));
     fvMatrix<scalar>& own = town.ref();
     own += fvm::div(gasFlux, he, convection);
+    own -= fvm::laplacian((faceVoidFraction()*alpha)(), he, conduction);
     own *= share;
     eqn -= own;
 

@@ -11,12 +11,9 @@ import unittest
 import numpy
 
 import gas_box
-from crowded_box import values
-from gas_box import field, kinetic
+from crowded_box import CELL_VOLUME, values
+from gas_box import SOLVERS, field, field_sum, kinetic
 from grainjet import coupled_box as box, dictionaries, dumps
-
-CELL_VOLUME = 0.002 ** 3            # of the box of 10 x 10 x 20 cells
-SOLVERS = (("rhoPimpleFoam", "e", False), ("rhoPimpleFoam", "h", True), ("sonicFoam", "e", False))
 
 # 40 m/s, a tenth of the speed of sound, so that the gas heats up by more than round-off
 FAST = {"mean": (0, 0, 40), "rms": 8}
@@ -35,15 +32,6 @@ def of_gas(folder, energy="e"):
     owed = values(folder / "particleMomentumOwed").sum(0)
     return (CELL_VOLUME * (rho[:, None] * U).sum(0) + owed, total + field_sum(folder / "particleEnergyOwed"),
             CELL_VOLUME * rho.sum())
-
-
-def field_sum(path):
-    """Sum of a field of the cells without boundary."""
-    text = path.read_text()
-    body = text[text.index("value"):]
-    if "nonuniform" not in body[:40]:
-        return 0.0
-    return sum(float(line) for line in body.split("(", 1)[1].split(")")[0].split())
 
 
 class Compressible(gas_box.GasCase):
@@ -139,7 +127,7 @@ class Compressible(gas_box.GasCase):
                     gas_box.write(folder, solver=solver)
                 if solver == "rhoPimpleAdiabaticFoam":
                     dictionaries.change(folder / "constant/thermophysicalProperties",
-                                        ("molWeight 28.9; }", f"molWeight 28.9; }} equationOfState {{ R {gas_box.R!r}; }}"))
+                                        ("molWeight 28.9; }", f"molWeight 28.9; }} equationOfState {{ p0 1e5; T0 300; }}"))
                 box.script(folder, grains=box.grains(*box.swarm(3, 1)))
                 box.fv_options(folder, **{"fluid": "compressible", **options})
                 self.foam("blockMesh", folder)

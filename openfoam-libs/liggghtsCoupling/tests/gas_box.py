@@ -19,6 +19,9 @@ WRITE = "energy {{ type writeObjects; libs (utilityFunctionObjects); objects (rh
 
 ENERGY = {"e": "sensibleInternalEnergy", "h": "sensibleEnthalpy"}
 
+# Solver, energy, transonic
+SOLVERS = (("rhoPimpleFoam", "e", False), ("rhoPimpleFoam", "h", True), ("sonicFoam", "e", False))
+
 
 def heat_capacity(energy):
     """The line of thermodynamics: eConst for e, hConst for h."""
@@ -76,6 +79,15 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
 def field(path):
     """A field of the cells as an array; one value if it is uniform."""
     return numpy.array(dictionaries.internal(path))
+
+
+def field_sum(path):
+    """Sum of a field of the cells without boundary."""
+    text = path.read_text()
+    body = text[text.index("value"):]
+    if "nonuniform" not in body[:40]:
+        return 0.0
+    return sum(float(line) for line in body.split("(", 1)[1].split(")")[0].split())
 
 
 class GasCase(box.CoupledCase):
