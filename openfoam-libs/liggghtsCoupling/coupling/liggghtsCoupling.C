@@ -133,6 +133,20 @@ void Foam::fv::liggghtsCoupling::warnOfRelaxation()
 }
 
 
+void Foam::fv::liggghtsCoupling::addTurbulence
+(
+    fvMatrix<scalar>& eqn,
+    const label fieldi,
+    const scalarField& coefficient
+) const
+{
+    turbulence_->addSup
+    (
+        eqn, fieldNames_[fieldi], coefficient, pipeline_->momentum().responseTime()
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fv::liggghtsCoupling::liggghtsCoupling
@@ -214,15 +228,10 @@ void Foam::fv::liggghtsCoupling::addSup
         pipeline_->addContinuitySup(eqn);
         return;
     }
-    const momentumExchange& momentum = pipeline_->momentum();
     const tmp<volScalarField> trho(fluid_->rho());
-
-    turbulence_->addSup
+    addTurbulence
     (
-        eqn,
-        fieldNames_[fieldi],
-        momentum.dragCoefficient()/trho().primitiveField(),
-        momentum.responseTime()
+        eqn, fieldi, pipeline_->momentum().dragCoefficient()/trho().primitiveField()
     );
 }
 
@@ -247,7 +256,11 @@ void Foam::fv::liggghtsCoupling::addSup
 {
     if (fieldNames_[fieldi] != energy_)
     {
-        addSup(eqn, fieldi);
+        if (!pipeline_)
+        {
+            begin();
+        }
+        addTurbulence(eqn, fieldi, pipeline_->momentum().dragCoefficient());
         return;
     }
     if (!pipeline_ || timeIndex_ != mesh_.time().timeIndex())

@@ -26,7 +26,7 @@ namespace Foam
     );
     const fluidKinds compressibleKind
     (
-        compressibleFluid::typeName_(), "rhoPimpleFoam, sonicFoam", &compressibleFluid::misfit
+        compressibleFluid::typeName_(), "rhoPimpleFoam and sonicFoam", &compressibleFluid::misfit
     );
 }
 

@@ -26,7 +26,7 @@ namespace Foam
     );
     const fluidKinds incompressibleKind
     (
-        incompressibleFluid::typeName_(), "pimpleFoam, pisoFoam", &incompressibleFluid::misfit
+        incompressibleFluid::typeName_(), "pimpleFoam and pisoFoam", &incompressibleFluid::misfit
     );
 }
 

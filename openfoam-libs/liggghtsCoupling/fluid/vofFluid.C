@@ -24,7 +24,7 @@ namespace Foam
     const knownEntries::ofModel vofEntries(carrierFluid::typeName_(), vofFluid::typeName_());
     const fluidKinds vofKind
     (
-        vofFluid::typeName_(), "interFoam, interIsoFoam", &vofFluid::misfit, &vofFluid::watch
+        vofFluid::typeName_(), "interFoam and interIsoFoam", &vofFluid::misfit, &vofFluid::watch
     );
 }
 

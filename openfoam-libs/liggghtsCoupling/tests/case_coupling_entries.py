@@ -186,7 +186,7 @@ class Entries(bad_case.BadCase):
                 ("voidFraction", "divided", ("voidFraction divided ", "must be a dictionary", "voidFraction { model divided; }\n")),
                 ("voidFraction", "{ minimum 0.3; }", ("Entry model is missing in voidFraction", "Valid: (centre divided)")),
                 ("voidFraction", "{ model divided; minimum 1; }", ("minimum 1 ", "above 0 and below 1", "minimum 0.3;")),
-                ("fluid", "{}", ("Entry model is missing in fluid", "Valid: (incompressible)")),
+                ("fluid", "{}", ("Entry model is missing in fluid", "Valid: (Boussinesq VOF buoyantCompressible compressible incompressible)")),
                 ("script", "{ a 1; }", ("script { ... } ", "must be a file name", 'script "constant/in.particles";')),
                 ("U", "1", ("U 1 ", "must be one word: the name of the velocity"))):
             with self.subTest(key=key, bad=bad):

@@ -61,6 +61,9 @@ class Fluids(bad_case.BadCase):
     def warm(self):
         return self.kind(lambda folder, g: fluid_cases.boussinesq(folder, "300", g))
 
+    def with_gravity(self):
+        return ((self.water, "interFoam"), (self.warm, "buoyantBoussinesqPimpleFoam"), (self.air, "buoyantPimpleFoam"))
+
     def test_kinds_are_found_out(self):
         """No entry says which kind of fluid it is. On two ranks as well."""
         for make, solver, kind in (
@@ -80,12 +83,12 @@ class Fluids(bad_case.BadCase):
     def test_entry_that_does_not_fit(self):
         """Before the user is asked for transportProperties and rho."""
         for make, solver, entry, words in (
-                (self.compressible, "rhoPimpleFoam", "incompressible", ("compressible solver", "pimpleFoam, pisoFoam")),
+                (self.compressible, "rhoPimpleFoam", "incompressible", ("compressible solver", "pimpleFoam and pisoFoam")),
                 (self.water, "interFoam", "incompressible", ("multiphase solver", "alpha.")),
                 (self.warm, "buoyantBoussinesqPimpleFoam", "incompressible", ("not uniform", "rhok")),
-                (self.fresh, "pimpleFoam", "VOF", ("phase fraction", "interFoam, interIsoFoam")),
+                (self.fresh, "pimpleFoam", "VOF", ("phase fraction", "interFoam and interIsoFoam")),
                 (self.fresh, "pimpleFoam", "Boussinesq", ("rhok",)),
-                (self.air, "buoyantPimpleFoam", "compressible", ("p_rgh", "rhoPimpleFoam, sonicFoam")),
+                (self.air, "buoyantPimpleFoam", "compressible", ("p_rgh", "rhoPimpleFoam and sonicFoam")),
                 (self.compressible, "rhoPimpleFoam", "buoyantCompressible", ("p_rgh",))):
             with self.subTest(solver=solver, entry=entry):
                 folder = make()
@@ -100,7 +103,7 @@ class Fluids(bad_case.BadCase):
             self.assertEqual(bad_case.grainjet.run(["decomposePar", "-force"], folder).code, 0)
             self.assertRefused(folder, "no fix gravity", "constant/g", "gravity 9.81 vector 0 0 -1", "fvOptions",
                                solver="interFoam", ranks=ranks)
-        for make, solver in ((self.water, "interFoam"), (self.warm, "buoyantBoussinesqPimpleFoam"), (self.air, "buoyantPimpleFoam")):
+        for make, solver in self.with_gravity():
             folder = make()
             self.gravity(folder, 9.8)
             self.assertRefused(folder, "gravity is (0 0 -9.8)", "(0 0 -9.81)", "gravity 9.81 vector 0 0 -1", solver=solver)
@@ -109,7 +112,7 @@ class Fluids(bad_case.BadCase):
 
     def test_buoyancy_twice(self):
         """The pressure gradient holds buoyancy already."""
-        for make, solver in ((self.water, "interFoam"), (self.warm, "buoyantBoussinesqPimpleFoam"), (self.air, "buoyantPimpleFoam")):
+        for make, solver in self.with_gravity():
             folder = make()
             box.fv_options(folder, forces="(pressureGradient buoyancy)")
             self.assertRefused(folder, "pressureGradient holds buoyancy", "fvOptions", solver=solver)
@@ -125,7 +128,8 @@ class Fluids(bad_case.BadCase):
         for solver, other in (("rhoCentralFoam", "transonic yes"), ("icoFoam", "pimpleFoam")):
             for ranks in (0, 2):
                 folder = self.fresh()
-                self.assertRefused(folder, solver, "never asks", other, "constant/fvOptions", solver=solver, ranks=ranks, at_reading=True)
+                self.assertRefused(folder, solver, "never asks", other, "constant/fvOptions", solver=solver, ranks=ranks,
+                                   at_reading=True)
         folder = self.fresh()
         box.fv_options(folder, active="no")
         self.solution(folder, "PISO")

@@ -164,7 +164,7 @@ class UserModelsErrors(bad_case.BadCase):
                 ("{ model givenViscosity; nuu 1; }", ("Unknown entry nuu", "model nu")),
                 ("{ model givenViscosity; nu -1; }", ("nu", "positive")),
                 ("{ model incompressible; nu 1; }", ("Unknown entry nu",)),
-                ("{ nu 1; }", ("Entry model is missing", "Valid: (givenViscosity incompressible)")),
+                ("{ nu 1; }", ("Entry model is missing", "Valid: (Boussinesq VOF buoyantCompressible compressible givenViscosity incompressible)")),
                 ("water", ("water", "givenViscosity", "incompressible")),
                 ("3", ("fluid",)),
                 ("(a b)", ("fluid",))):
