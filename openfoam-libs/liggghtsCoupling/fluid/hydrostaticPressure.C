@@ -24,6 +24,38 @@ const uniformDimensionedVectorField* gravity(const fvMesh& mesh)
     return g ? g : mesh.cfindObject<uniformDimensionedVectorField>("g");
 }
 
+
+// Stop if the solver cannot get a velocity from its flux. Collective
+void checkReconstruct(const fvMesh& mesh)
+{
+    vector u(1, 2, 3);
+    forAll(u, k)
+    {
+        u[k] *= mesh.geometricD()[k] > 0;
+    }
+    const surfaceScalarField flux(mesh.Sf() & dimensionedVector("u", dimless, u));
+    const tmp<volVectorField> tvelocity(fvc::reconstruct(flux));
+    scalar wrong = 0;
+    for (vector v : tvelocity().primitiveField())
+    {
+        forAll(v, k)
+        {
+            v[k] *= mesh.geometricD()[k] > 0;
+        }
+        wrong = max(wrong, mag(v - u));
+    }
+    if (returnReduce(wrong, maxOp<scalar>()) > 1e-3)
+    {
+        FatalErrorInFunction
+            << "On this mesh fvc::reconstruct of this build of OpenFOAM is wrong: of the flux of a velocity "
+            << u << " it makes one that differs by up to " << returnReduce(wrong, maxOp<scalar>())
+            << ". All solvers with p_rgh get U by it. Known of OpenFOAM 1912 in Debian 12 (g++ 12), in"
+            << " cells whose faces are not normal to the axes. Take a mesh whose faces are normal to the axes"
+            << " (blockMesh without curved or oblique edges), or another build of OpenFOAM"
+            << exit(FatalError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -32,7 +64,9 @@ const uniformDimensionedVectorField* gravity(const fvMesh& mesh)
 Foam::hydrostaticPressure::hydrostaticPressure(const fvMesh& mesh)
 :
     mesh_(mesh)
-{}
+{
+    checkReconstruct(mesh);
+}
 
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
