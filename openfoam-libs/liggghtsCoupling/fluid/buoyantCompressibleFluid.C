@@ -6,7 +6,9 @@
 
 #include "buoyantCompressibleFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "entryError.H"
 #include "fluidKinds.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -52,6 +54,13 @@ Foam::string Foam::buoyantCompressibleFluid::misfit(const fvMesh& mesh)
 
 void Foam::buoyantCompressibleFluid::check() const
 {
+    if (voidFractionEquations::full(dict_))
+    {
+        FatalIOErrorInEntry(dict_.subDict("voidFraction"), "equations")
+            << "equations full is not there for a compressible fluid with gravity, which "
+            << fluidKinds::solver().c_str() << " has. Set equations neglected, or take rhoPimpleFoam"
+            << exit(FatalIOError);
+    }
     checkSolver();
 }
 

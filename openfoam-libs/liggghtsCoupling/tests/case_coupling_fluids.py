@@ -117,6 +117,12 @@ class Fluids(bad_case.BadCase):
             box.fv_options(folder, forces="(pressureGradient buoyancy)")
             self.assertRefused(folder, "pressureGradient holds buoyancy", "fvOptions", solver=solver)
 
+    def test_full_equations_with_gravity_in_a_gas(self):
+        folder = self.air()
+        box.fv_options(folder, voidFraction=box.void_fraction("full"))
+        self.assertRefused(folder, "equations full", "buoyantPimpleFoam", "equations neglected", "fvOptions",
+                           solver="buoyantPimpleFoam")
+
     def test_without_p_rgh(self):
         """The solver itself asks for it."""
         folder = self.water()

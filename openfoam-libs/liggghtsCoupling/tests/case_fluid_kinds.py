@@ -94,7 +94,7 @@ class Surface(box.CoupledCase):
     def test_moving_surface(self):
         """Water pushes air up a channel at 10 m/s, without acceleration: the gradient of pressure stays rho g in each cell.
         interFoam moves the surface before it asks for sources; with that density and the pressure before, the
-        surface's whole hydrostatic pressure would be felt beside it, more than the weight of the water."""
+        surface's hydrostatic pressure would be felt beside it: 0.7 of the weight of water here."""
         folder = self.new_folder()
         box.write(folder, walls=True, through=True, velocity="(0 0 10)", cells="2 2 20", steps=4, delta_t=4e-5, write_every=1,
                   correctors="nOuterCorrectors 3; nCorrectors 3;")
@@ -145,12 +145,12 @@ class WaterAndAir(box.CoupledCase):
 
     ALPHA = layers([0.0] * 5 + [0.5] + [1.0] * 9 + [0.3] + [0.0] * 4, 100)
 
-    def run_inter_foam(self, ranks=0, steps=20, write_every=None, into=None, count=300):
+    def run_inter_foam(self, ranks=0, steps=5, write_every=None, into=None, count=300, outer=2):
         """In a new folder, or on in one; with this number of grains, or, for None, without the coupling."""
         folder = into or self.new_folder()
         if not into:
             box.write(folder, steps=steps, write_every=write_every, velocity="(0 0 0.1)",
-                      correctors="nOuterCorrectors 12; nCorrectors 3;", ranks=max(ranks, 1),
+                      correctors=f"nOuterCorrectors {outer}; nCorrectors 3;", ranks=max(ranks, 1),
                       decomposition=f"(1 1 {max(ranks, 1)})")
             inter_foam(folder, self.ALPHA, walls=False, sigma=0, water_nu=1e-5)
             if count is not None:
@@ -176,36 +176,36 @@ class WaterAndAir(box.CoupledCase):
     def test_momentum(self):
         """Fluid and grains together keep their momentum, though density differs by a factor of 800 from cell to
         cell: to 1e-9 of what was exchanged, the tolerance of the solvers."""
-        folder = self.run_inter_foam(write_every=5)
-        fluid, grains = zip(*(self.momentum(folder, time, step) for time, step in (("0.0005", 50), ("0.002", 200))))
+        folder = self.run_inter_foam(steps=10, write_every=5, outer=12)
+        fluid, grains = zip(*(self.momentum(folder, time, step) for time, step in (("0.0005", 50), ("0.001", 100))))
         passed = abs(grains[1] - grains[0]).max()
         lost = abs(fluid[1] - fluid[0] + grains[1] - grains[0]).max()
         print(f"lost {lost / passed:.1e} of {passed:.2e} N s")
-        self.assertGreater(passed, 1e-5)
+        self.assertGreater(passed, 1e-6)
         self.assertLess(lost, 1e-9 * passed)
         self.assertLess(max(box.read_balance(folder)["imbalance"]), 1e-10)
 
     def test_ranks(self):
         """2 ranks give what one gives, but for the order of sums and the tolerance of the solvers."""
-        one, two = self.run_inter_foam(steps=10), self.run_inter_foam(2, steps=10)
+        one, two = self.run_inter_foam(), self.run_inter_foam(2)
         self.foam("reconstructPar", two)
-        self.compare(one, two, "0.001", 1e-9)
+        self.compare(one, two, "0.0005", 1e-9)
 
     def test_restart(self):
         """A continued run gives the digits of one that was not stopped, if pcorr leaves the flux as it is: interFoam
         corrects it at each start."""
-        whole, parts = self.run_inter_foam(steps=20, write_every=10), self.run_inter_foam(steps=10, write_every=10)
-        box.end_at(parts, 20)
+        whole, parts = self.run_inter_foam(steps=10, write_every=5), self.run_inter_foam(write_every=5)
+        box.end_at(parts, 10)
         self.run_inter_foam(into=parts)
         for name in ("U", "p_rgh", "phi", "alpha.water", "voidFraction", "particleMomentumOwed"):
-            a, b = ((f / "0.002" / name).read_bytes() for f in (whole, parts))
+            a, b = ((f / "0.001" / name).read_bytes() for f in (whole, parts))
             self.assertEqual(a, b, name)
         a, b = (dumps.last(f / "grains.dump") for f in (whole, parts))
         self.assertEqual(a, b)
 
     def test_without_grains(self):
         """The fields of the stock solver, bit for bit."""
-        alone, coupled = (self.run_inter_foam(steps=5, count=count) for count in (None, 0))
+        alone, coupled = (self.run_inter_foam(count=count) for count in (None, 0))
         for name in ("U", "p_rgh", "phi", "alpha.water"):
             a, b = ((f / "0.0005" / name).read_bytes() for f in (alone, coupled))
             self.assertEqual(a, b, name)
