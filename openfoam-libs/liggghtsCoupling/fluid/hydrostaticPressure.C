@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hydrostaticPressure.H"
+#include "couplingEntries.H"
 #include "fvcReconstruct.H"
 #include "fvcSnGrad.H"
 #include "Time.H"
@@ -44,15 +45,22 @@ void checkReconstruct(const fvMesh& mesh)
         }
         wrong = max(wrong, mag(v - u));
     }
-    if (returnReduce(wrong, maxOp<scalar>()) > 1e-3)
+    reduce(wrong, maxOp<scalar>());
+    if (wrong > 1e-3)
     {
-        FatalErrorInFunction
-            << "On this mesh fvc::reconstruct of this build of OpenFOAM is wrong: of the flux of a velocity "
-            << u << " it makes one that differs by up to " << returnReduce(wrong, maxOp<scalar>())
-            << ". All solvers with p_rgh get U by it. Known of OpenFOAM 1912 in Debian 12 (g++ 12), in"
-            << " cells whose faces are not normal to the axes. Take a mesh whose faces are normal to the axes"
-            << " (blockMesh without curved or oblique edges), or another build of OpenFOAM"
-            << exit(FatalError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalErrorInFunction
+                    << "On this mesh fvc::reconstruct of this build of OpenFOAM is wrong: of the flux of"
+                    << " the velocity " << u << " it makes another one. Solvers with p_rgh get U by it."
+                    << " Known of OpenFOAM 1912 in Debian 12 (g++ 12), in cells whose faces are not"
+                    << " normal to the axes. Take a mesh whose faces are normal to them (constant/polyMesh;"
+                    << " blockMesh without curved or oblique edges), or another build of OpenFOAM"
+                    << exit(FatalError);
+            }
+        );
     }
 }
 
