@@ -180,7 +180,7 @@ class BadRequests(FluidCase):
         content = path.read_bytes()
         mark = b"fluid/force\0"
         place = content.index(mark) + len(mark) + 4    # the length is between the two
-        self.assertEqual(struct.unpack("d", content[place:place + 8]), (3.0,))
+        self.assertEqual(struct.unpack("d", content[place:place + 8]), (4.0,))
         path.write_bytes(content[:place] + struct.pack("d", 1.0) + content[place + 8:])
         for ranks in (0, 2):
             self.refused(STATES, "Fix fluid/force", "another version of Grainjet", read="m.restart", ranks=ranks)
