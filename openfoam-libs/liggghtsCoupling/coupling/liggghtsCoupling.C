@@ -254,6 +254,12 @@ void Foam::fv::liggghtsCoupling::addSup
     const label fieldi
 )
 {
+    if (fieldNames_[fieldi] == continuity_)
+    {
+        // The pressure equation, whose coefficient stands in the place of a density
+        addSup(eqn, fieldi);
+        return;
+    }
     if (fieldNames_[fieldi] != energy_)
     {
         if (!pipeline_)
