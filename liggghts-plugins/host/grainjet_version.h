@@ -10,6 +10,6 @@
 /* The version of Grainjet, with which plugins, loader and coupling are stamped: parts of two
    versions hand each other data of different layout and refuse each other. Both builds read
    it here; CMake compares it with the version of its project.                          */
-#define GRAINJET_VERSION "0.5.0"
+#define GRAINJET_VERSION "0.6.0"
 
 #endif

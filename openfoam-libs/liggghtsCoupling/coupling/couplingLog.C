@@ -109,6 +109,10 @@ void Foam::couplingLog::writeTableHeader()
     {
         writeHeader(os, joule_->header());
     }
+    else if (full_)
+    {
+        writeHeader(os, "fluidVolume [m3]: between the grains, at the beginning of the step");
+    }
     writeCommented(os, "Time");
     for
     (
@@ -132,6 +136,10 @@ void Foam::couplingLog::writeTableHeader()
         {
             writeTabbed(os, column);
         }
+    }
+    else if (full_)
+    {
+        writeTabbed(os, "fluidVolume");
     }
     os << endl;
 }
@@ -228,6 +236,7 @@ void Foam::couplingLog::write(const step& values)
     const scalar maxSolidFraction =
         returnReduce(values.cells.maxSolidFraction, maxOp<scalar>());
     const scalar volumeCut = returnReduce(values.cells.volumeCut, sumOp<scalar>());
+    const scalar fluidVolume = returnReduce(values.fluidVolume, sumOp<scalar>());
     warn(maxSolidFraction);
 
     // As scalars, which count whole numbers up to 9e15
@@ -299,6 +308,10 @@ void Foam::couplingLog::write(const step& values)
     {
         joule_->print(Info);
     }
+    else if (full_)
+    {
+        Info<< ", fluid volume " << fluidVolume << " m3";
+    }
     Info<< ", time fluid " << label(100*fluidSeconds/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
@@ -340,6 +353,10 @@ void Foam::couplingLog::write(const step& values)
         if (joule_)
         {
             joule_->write(os);
+        }
+        else if (full_)
+        {
+            os  << tab << fluidVolume;
         }
         os  << endl;
     }

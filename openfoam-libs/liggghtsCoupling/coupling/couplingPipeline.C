@@ -219,6 +219,8 @@ void Foam::couplingPipeline::advance()
     if (equations_)
     {
         equations_->beginStep();
+        step.fluidVolume =
+            sum(averages_.voidFraction().primitiveField()*fluid_.mesh().V().field());
     }
     step.slipSum = forces_.act(*grains_, records_);
 

@@ -81,6 +81,10 @@ Foam::string Foam::energyBalance::header() const
 void Foam::energyBalance::print(Ostream& os) const
 {
     os  << ", energy to grains " << latestToGrains_ << " J, imbalance " << imbalance_;
+    if (full_)
+    {
+        os  << ", gas " << mass_ << " kg";
+    }
 }
 
 

@@ -6,12 +6,13 @@ through fluid at rest, stiff drag, restart, ranks, and what is refused. For fixe
 # processors: 4
 # label: long
 
+import math
 import random
 import unittest
 
 import numpy
 
-from crowded_box import CONVERGED, crowd, of_fluid, values
+from crowded_box import CELL_VOLUME, CONVERGED, crowd, of_fluid, values
 from fluid_cases import AIR, WATER, inter_foam, layers
 from grainjet import coupled_box as box, dictionaries
 
@@ -38,6 +39,9 @@ class FullEquations(box.CoupledCase):
                 print(f"rho {rho}: {abs(last - first + gained).max() / passed:.1e} of what was exchanged")
                 self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
                 self.assertGreater(abs(last - first).max(), 0.1 * passed)
+                # The fluid keeps its volume, but for what the least void fraction cuts
+                volume = numpy.array(table["fluidVolume"]) - table["volumeCut"]
+                self.assertLess(abs(volume / (2000 * CELL_VOLUME - 5000 * math.pi / 6 * 1e-9) - 1).max(), 1e-12)
                 self.assertLess(min(dictionaries.internal(times[-1].parent / "voidFraction")), 0.31)
 
     def test_momentum_of_water_and_air(self):
