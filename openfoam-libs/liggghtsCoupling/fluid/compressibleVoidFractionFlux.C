@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "compressibleVoidFraction.H"
+#include "couplingEntries.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
@@ -40,7 +41,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::compressibleVoidFraction::coming
     const auto* psi = mesh.cfindObject<volScalarField>("thermo:psi");
     if (!psi || (!ofFaces && !ofCells) || (!explicitFlux && !perPressure))
     {
-        return fluid_.phi();
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalErrorInFunction
+                    << "voidFraction { equations full; } (constant/fvOptions): the pressure equation of this"
+                    << " solver is not made of the fields that rhoPimpleFoam and sonicFoam have for it:"
+                    << " thermo:psi, phiHbyA or phid, and rhorAUf or rhorAtU. Take one of these solvers, or set"
+                    << " equations neglected" << exit(FatalError);
+            }
+        );
     }
     const tmp<surfaceScalarField> tmobility
     (
