@@ -351,13 +351,13 @@ def compare(found, begin, output):
             row += [f"{1e3*math.sqrt(((numpy.interp(t, x, y) - z)**2).mean()):.2f}",
                     f"{100*math.sqrt(((numpy.interp(s, u, v) - p)**2).mean())/MEAN_PRESSURE:.1f}"]
     show(rows)
-    if not output:
-        return
     table(output/"means.csv", rows)
     columns = [(f"{name}: {words}", series[0], factor*series[1]) for name, pair in found.items()
                for words, series, factor in (("height, mm", pair[0], 1e3), ("pressure drop over weight", pair[1], 1/MEAN_PRESSURE))]
-    table(output/"series.csv", [["t, s", *(name for name, _, _ in columns)],
-                                *([f"{t:.3g}", *(f"{numpy.interp(t, x, y, right=math.nan):.4g}" for _, x, y in columns)] for t in next(iter(found.values()))[0][0])])
+    rows = [["t, s", *(name for name, _, _ in columns)]]
+    for t in next(iter(found.values()))[0][0]:
+        rows.append([f"{t:.3g}", *(f"{numpy.interp(t, x, y, right=math.nan):.4g}" for _, x, y in columns)])
+    table(output/"series.csv", rows)
     figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
     for name, ((t, z), (s, p)) in found.items():
         style = {"color": "black", "linewidth": 2} if name == "DPMFoam" else {"linewidth": 1}
@@ -379,14 +379,13 @@ def main():
     for name in ("tutorial", "work", "output"):
         parser.add_argument(f"--{name}", type=pathlib.Path)
     options = parser.parse_args()
-    work = options.work or pathlib.Path(tempfile.mkdtemp(prefix="grainjet-goldschmidt-"))
+    work = (options.work or pathlib.Path(tempfile.mkdtemp(prefix="grainjet-goldschmidt-"))).resolve()
     work.mkdir(parents=True, exist_ok=True)
-    work = work.resolve()
     source = tutorial(options, work)
 
     found = {name: series(bed(work, source, name, at_rest(source), options.end)) for name in options.only if name != "cost"}
     if found:
-        compare(found, options.begin, options.output)
+        compare(found, options.begin, options.output or work)
     if "cost" in options.only:
         rows = list(cost(work, source, options))
         show(rows)
