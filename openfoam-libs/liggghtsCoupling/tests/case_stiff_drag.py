@@ -51,12 +51,12 @@ class StiffDrag(box.CoupledCase):
         return times
 
     def test_bounded(self):
-        """Nothing moves faster than the fastest grain of the start (1 m/s), and nothing grows from the 20th to the 60th step."""
+        """Nothing moves faster than the fastest grain of the start (1 m/s), and nothing grows from the 20th to the 40th step."""
         for equations, formulation, kappas in (
                 ("full", "SetI", STIFF), ("full", "SetII", (1e6,)), ("neglected", "SetI", (1e3, 1e6))):
             for kappa in kappas:
                 with self.subTest(equations=equations, formulation=formulation, kappa=kappa):
-                    times = self.crowd(kappa, equations, formulation, steps=60, write_every=20)
+                    times = self.crowd(kappa, equations, formulation, steps=40, write_every=20)
                     fluid = "fluidVelocity" if equations == "full" else "U"
                     most = [[abs(values(time / name)).max() for time in times] for name in (fluid, "particleVelocity")]
                     print(f"{self.words}: fluid {', '.join(f'{u:.3g}' for u in most[0])} m/s, "
@@ -71,7 +71,7 @@ class StiffDrag(box.CoupledCase):
         rng = random.Random(1)
         x = [[rng.uniform(0, 0.008) for _ in range(3)] for _ in range(NUMBER)]
         folder = self.new_folder()
-        box.write(folder, rho=f"rho [1 -3 0 0 0 0 0] {rho};", nu=1e-3, size=(8, 8, 8), cells="4 4 4", steps=100, write_every=20,
+        box.write(folder, rho=f"rho [1 -3 0 0 0 0 0] {rho};", nu=1e-3, size=(8, 8, 8), cells="4 4 4", steps=60, write_every=20,
                   velocity=velocity)
         box.script(folder, grains=box.grains(x, [(0, 0, speed)] * NUMBER, 1e-3 / cg, 2500.0), box="0 0.008 0 0.008 0 0.008",
                    plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {cg} model_check warn")
@@ -99,7 +99,7 @@ class StiffDrag(box.CoupledCase):
                     start = -rho * solid if equations == "full" else 0
                     common = (2500.0 * solid + start) / (2500.0 * solid + fluid)
                     print(f"{self.words}: {1 + change[19]:.4f}, {1 + change[-1]:.4f} m/s, common {common:.4f} m/s")
-                    for step in (19, 99):
+                    for step in (19, 59):
                         self.assertLess(abs(1 + change[step] - common), 0.02)
 
     def test_held(self):
@@ -108,7 +108,7 @@ class StiffDrag(box.CoupledCase):
         for equations, rho, cg in (("full", AIR, 100), ("neglected", AIR, 100), ("full", WATER, 5), ("full", WATER, 100)):
             with self.subTest(equations=equations, rho=rho, cg=cg):
                 folder = self.small(equations, rho, cg, velocity="(0 0 1)", held=True)
-                most = [abs(values(folder / time / "U")).max() for time in ("0.002", "0.01")]
+                most = [abs(values(folder / time / "U")).max() for time in ("0.002", "0.006")]
                 print(f"held, {self.words}: {most[0]:.3g}, {most[1]:.3g} m/s")
                 self.assertLess(most[0], 1)
                 self.assertLess(most[1], 0.3)

@@ -154,15 +154,12 @@ def lowest():
                     for j in range(ny) for i in range(nx))
 
 
-def copied(case, source, files):
-    for name in files:
-        (case/name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(source/name, case/name)
-
-
 def mesh_and_control(case, source, application, end, step, cloud, libs=""):
     """The tutorial's mesh; its two sides let the fluid slip, and are walls for DPMFoam, so that grains touch them."""
-    copied(case, source, ("system/blockMeshDict", "system/fvSchemes", "system/fvSolution"))
+    for folder in ("system", "constant", "0"):
+        (case/folder).mkdir(parents=True)
+    for name in ("blockMeshDict", "fvSchemes", "fvSolution"):
+        shutil.copy(source/"system"/name, case/"system")
     mesh = case/"system/blockMeshDict"
     mesh.write_text(mesh.read_text().replace("type symmetry", "type wall"))
     for patch in ("top", "bottom", "frontAndBack"):
@@ -219,8 +216,9 @@ particles
 def dpm_case_of(case, source, state, end, step, modulus, cycles):
     """DPMFoam: the tutorial with another start, end and stiffness."""
     mesh_and_control(case, source, "DPMFoam", end, step, "kinematicCloud")
-    copied(case, source, ("constant/kinematicCloudProperties", "constant/g", "constant/transportProperties",
-                          "constant/turbulenceProperties.air", "0/U.air", "0/p"))
+    for name in ("constant/kinematicCloudProperties", "constant/g", "constant/transportProperties",
+                 "constant/turbulenceProperties.air", "0/U.air", "0/p"):
+        shutil.copy(source/name, case/name)
     velocity = dictionaries.nonuniform(state.velocity) if state.velocity else "uniform (0 0 0)"
     pressure = dictionaries.nonuniform([p + G*(Z - z) for p, z in zip(state.pressure, heights())]) if state.pressure else "uniform 0"
     for name, value, side in (("U.air", velocity, "type slip;"),
@@ -326,10 +324,9 @@ def cost(work, source, options):
 
 
 def table(path, rows):
-    if path:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with open(path, "w", newline="") as out:
-            csv.writer(out, lineterminator="\n").writerows(rows)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows(rows)
 
 
 def show(rows):
@@ -354,14 +351,13 @@ def compare(found, begin, output):
             row += [f"{1e3*math.sqrt(((numpy.interp(t, x, y) - z)**2).mean()):.2f}",
                     f"{100*math.sqrt(((numpy.interp(s, u, v) - p)**2).mean())/MEAN_PRESSURE:.1f}"]
     show(rows)
-    if not output:
-        return
     table(output/"means.csv", rows)
-    times = next(iter(found.values()))[0][0]
     columns = [(f"{name}: {words}", series[0], factor*series[1]) for name, pair in found.items()
                for words, series, factor in (("height, mm", pair[0], 1e3), ("pressure drop over weight", pair[1], 1/MEAN_PRESSURE))]
-    table(output/"series.csv", [["t, s", *(name for name, _, _ in columns)],
-                                *([f"{t:.3g}", *(f"{numpy.interp(t, x, y, right=math.nan):.4g}" for _, x, y in columns)] for t in times)])
+    rows = [["t, s", *(name for name, _, _ in columns)]]
+    for t in next(iter(found.values()))[0][0]:
+        rows.append([f"{t:.3g}", *(f"{numpy.interp(t, x, y, right=math.nan):.4g}" for _, x, y in columns)])
+    table(output/"series.csv", rows)
     figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
     for name, ((t, z), (s, p)) in found.items():
         style = {"color": "black", "linewidth": 2} if name == "DPMFoam" else {"linewidth": 1}
@@ -376,28 +372,25 @@ def compare(found, begin, output):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--end", type=float, default=0.25)
     parser.add_argument("--from", dest="begin", type=float, default=0.1)
-    parser.add_argument("--state", type=float, default=0.15)
-    parser.add_argument("--turns", type=int, default=3)
-    parser.add_argument("--steps", type=int, default=40)
-    parser.add_argument("--tutorial", type=pathlib.Path)
+    for name, default in (("end", 0.25), ("state", 0.15), ("turns", 3), ("steps", 40)):
+        parser.add_argument(f"--{name}", type=type(default), default=default)
     parser.add_argument("--only", nargs="+", default=["DPMFoam", *RUNS, "cost"], choices=["DPMFoam", *RUNS, "cost"])
-    parser.add_argument("--work", type=pathlib.Path)
-    parser.add_argument("--output", type=pathlib.Path)
+    for name in ("tutorial", "work", "output"):
+        parser.add_argument(f"--{name}", type=pathlib.Path)
     options = parser.parse_args()
-    work = options.work or pathlib.Path(tempfile.mkdtemp(prefix="grainjet-goldschmidt-"))
+    work = (options.work or pathlib.Path(tempfile.mkdtemp(prefix="grainjet-goldschmidt-"))).resolve()
     work.mkdir(parents=True, exist_ok=True)
-    work = work.resolve()
     source = tutorial(options, work)
 
     found = {name: series(bed(work, source, name, at_rest(source), options.end)) for name in options.only if name != "cost"}
     if found:
-        compare(found, options.begin, options.output)
+        compare(found, options.begin, options.output or work)
     if "cost" in options.only:
         rows = list(cost(work, source, options))
         show(rows)
-        table(options.output and options.output/"cost.csv", rows)
+        if options.output:
+            table(options.output/"cost.csv", rows)
     if not options.work:
         shutil.rmtree(work)
 
