@@ -151,10 +151,15 @@ void Foam::couplingCase::checkLog() const
         return;
     }
 
+    // A run begins its log with the version of LIGGGHTS, a continued one with what the coupling sets
     std::ifstream file(path, std::ios::binary);
-    std::string start(8, '\0');
-    file.read(&start[0], start.size());
-    if (file.gcount() && start != "LIGGGHTS")
+    std::string start;
+    std::getline(file, start);
+    if
+    (
+        !start.empty() && start.compare(0, 8, "LIGGGHTS") != 0
+     && start.compare(0, 18, "variable continued") != 0
+    )
     {
         refuse
         (

@@ -160,11 +160,11 @@ Foam::couplingPipeline::couplingPipeline
     {
         couplingEntries::onMaster([&](){ energyExchange::checkEntries(dict); });
     }
-    if (former_.continues())
+    start();
+    if (energy_ && (former_.continues() || session_.counts().present > 0))
     {
         energyExchange::keepOldTimes(fluid.mesh());
     }
-    start();
 
     vector g;
     const couplingChecks checks(dict, fluid.mesh(), session_);

@@ -58,6 +58,14 @@ Foam::string Foam::BoussinesqFluid::misfit(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::tmp<Foam::volVectorField> Foam::BoussinesqFluid::weight() const
+{
+    return
+        rho()*pressure_.ofSameTime(mesh_.lookupObject<volScalarField>(weightName))
+       *dimensionedVector("g", dimAcceleration, pressure_.g());
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::BoussinesqFluid::gradP() const
 {
     return rho()*pressure_.gradient

@@ -65,6 +65,14 @@ void Foam::buoyantCompressibleFluid::check() const
 }
 
 
+Foam::tmp<Foam::volVectorField> Foam::buoyantCompressibleFluid::weight() const
+{
+    return
+        pressure_.ofSameTime(mesh_.lookupObject<volScalarField>("rho"))
+       *dimensionedVector("g", dimAcceleration, pressure_.g());
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::buoyantCompressibleFluid::gradP() const
 {
     return pressure_.gradient

@@ -120,17 +120,29 @@ void Foam::carrierFluid::checkEquationIs
 {
     if (eqn.dimensions() != dimensions)
     {
-        FatalIOErrorInFunction(dict_)
-            << "The momentum equation has the dimensions " << eqn.dimensions()
-            << ": the kind of fluid " << type() << " needs one of " << dimensions << ", " << what
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "The momentum equation has the dimensions " << eqn.dimensions()
+                    << ": the kind of fluid " << type() << " needs one of " << dimensions << ", " << what
+                    << exit(FatalIOError);
+            }
+        );
     }
     if (mesh_.changing())
     {
-        FatalIOErrorInFunction(dict_)
-            << "liggghtsCoupling needs a mesh that does not move or change. Set dynamicFvMesh to"
-            << " staticFvMesh in " << mesh_.time().constant() << "/dynamicMeshDict"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "liggghtsCoupling needs a mesh that does not move or change. Set dynamicFvMesh to"
+                    << " staticFvMesh in " << mesh_.time().constant() << "/dynamicMeshDict"
+                    << exit(FatalIOError);
+            }
+        );
     }
 }
 
@@ -261,11 +273,17 @@ void Foam::carrierFluid::checkViscosity() const
 {
     if (!model())
     {
-        FatalIOErrorInFunction(dict_)
-            << fluidKinds::solver().c_str() << " has no model of turbulence or of laminar flow ("
-            << turbulenceModel::propertiesName << "), from which grains take the viscosity."
-            << " Take a solver that has one, such as pimpleFoam or interFoam"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << fluidKinds::solver().c_str() << " has no model of turbulence or of laminar flow ("
+                    << turbulenceModel::propertiesName << "), from which grains take the viscosity."
+                    << " Take a solver that has one, such as pimpleFoam or interFoam"
+                    << exit(FatalIOError);
+            }
+        );
     }
 
     const tmp<volScalarField> tnu(nu());
@@ -303,6 +321,15 @@ const Foam::volScalarField& Foam::carrierFluid::p() const
 Foam::tmp<Foam::volScalarField> Foam::carrierFluid::nu() const
 {
     return model()->nu();
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::carrierFluid::weight() const
+{
+    return rho()*dimensionedVector
+    (
+        "g", dimAcceleration, solverGravity() ? *solverGravity() : g()
+    );
 }
 
 

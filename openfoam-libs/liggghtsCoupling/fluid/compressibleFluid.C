@@ -38,10 +38,6 @@ namespace
 
 using namespace Foam;
 
-// Wide enough for any gas, and narrow enough that no product of such numbers overflows
-const scalar smallest = 1e-15;
-const scalar largest = 1e15;
-
 // Names that these solvers give to their objects
 const word thermoName("thermophysicalProperties");
 const word rhoName("rho");

@@ -8,6 +8,7 @@
 #include "cellAverages.H"
 #include "couplingEntries.H"
 #include "fvMatrices.H"
+#include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -83,6 +84,16 @@ void Foam::energyExchange::checkEntries(const dictionary& dict)
             << "formulation SetII with a filter in a solver with an energy equation: the work of the"
             << " pressure on grains needs their velocity in each cell, and the filter gives their"
             << " volume to cells without grains. Set formulation SetI" << exit(FatalIOError);
+    }
+    if
+    (
+        couplingEntries::twoWay(dict) && !couplingEntries::setI(dict)
+     && voidFractionEquations::full(dict)
+    )
+    {
+        FatalIOErrorInEntry(dict, "formulation")
+            << "formulation SetII with equations full in a solver with an energy equation: gas and"
+            << " grains would not keep their energy. Set formulation SetI" << exit(FatalIOError);
     }
 }
 

@@ -87,11 +87,17 @@ void checkTimeScheme(const dictionary& dict, const fvMesh& mesh)
              && wordHashSet({"steadyState", "localEuler", "SLTS", "CoEuler"}).found(t.wordToken())
             )
             {
-                FatalIOErrorInEntry(schemes, key)
-                    << "ddtSchemes: " << key << ' ' << t.wordToken()
-                    << " has no time that all cells and the grains share, which"
-                    << " liggghtsCoupling does not support. Take, for instance, Euler"
-                    << exit(FatalIOError);
+                couplingEntries::onMaster
+                (
+                    [&]()
+                    {
+                        FatalIOErrorInEntry(schemes, key)
+                            << "ddtSchemes: " << key << ' ' << t.wordToken()
+                            << " has no time that all cells and the grains share, which"
+                            << " liggghtsCoupling does not support. Take, for instance, Euler"
+                            << exit(FatalIOError);
+                    }
+                );
             }
         }
         if (key != "default")
@@ -107,8 +113,14 @@ void checkSolver(const dictionary& dict, const fvMesh& mesh)
     const string reason(unfit(mesh));
     if (!reason.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << fluidKinds::solver().c_str() << ' ' << reason.c_str() << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict)
+                    << fluidKinds::solver().c_str() << ' ' << reason.c_str() << exit(FatalIOError);
+            }
+        );
     }
     checkTimeScheme(dict, mesh);
 }
@@ -167,11 +179,17 @@ Foam::word Foam::fluidKinds::find(const dictionary& dict, const fvMesh& mesh)
         reasons += "\n    " + kind.first + " (" + kind.second.solvers + "): " + reason;
     }
 
-    FatalIOErrorInFunction(dict)
-        << solver().c_str() << " has no kind of fluid that grains can be coupled to. Looked for"
-        << reasons.c_str() << "\n    Found: scalar fields "
-        << flatOutput(mesh.sortedNames<volScalarField>())
-        << "\n    Take one of the solvers in brackets" << exit(FatalIOError);
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            FatalIOErrorInFunction(dict)
+                << solver().c_str() << " has no kind of fluid that grains can be coupled to. Looked for"
+                << reasons.c_str() << "\n    Found: scalar fields "
+                << flatOutput(mesh.sortedNames<volScalarField>())
+                << "\n    Take one of the solvers in brackets" << exit(FatalIOError);
+        }
+    );
     return word();
 }
 
@@ -188,10 +206,16 @@ void Foam::fluidKinds::check(const word& kind, const dictionary& dict, const fvM
     const string reason(found->second.misfit(mesh));
     if (!reason.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "fluid " << kind << " is for " << found->second.solvers.c_str() << ", but "
-            << solver().c_str() << " does not fit: " << reason.c_str()
-            << ". Without the entry fluid the kind is found out" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict)
+                    << "fluid " << kind << " is for " << found->second.solvers.c_str() << ", but "
+                    << solver().c_str() << " does not fit: " << reason.c_str()
+                    << ". Without the entry fluid the kind is found out" << exit(FatalIOError);
+            }
+        );
     }
 }
 

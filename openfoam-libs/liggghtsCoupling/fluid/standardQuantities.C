@@ -169,6 +169,20 @@ struct pressureGradientQuantity
 };
 
 
+struct fluidWeightQuantity
+:
+    public vectorQuantity
+{
+    TypeName("fluidWeight");
+    using vectorQuantity::vectorQuantity;
+
+    virtual tmp<volVectorField> vectorField() const
+    {
+        return fluid_.weight();
+    }
+};
+
+
 struct viscousStressQuantity
 :
     public vectorQuantity
@@ -275,6 +289,7 @@ makeFluidQuantity(densityQuantity)
 makeFluidQuantity(viscosityQuantity)
 makeFluidQuantity(effectiveViscosityQuantity)
 makeFluidQuantity(pressureGradientQuantity)
+makeFluidQuantity(fluidWeightQuantity)
 makeFluidQuantity(viscousStressQuantity)
 makeFluidQuantity(vorticityQuantity)
 makeFluidQuantity(turbulentEnergyQuantity)

@@ -142,6 +142,14 @@ Foam::tmp<Foam::volVectorField> Foam::vofFluid::divTau() const
 }
 
 
+Foam::tmp<Foam::volVectorField> Foam::vofFluid::weight() const
+{
+    return
+        pressure_.ofSameTime(*equationRho())
+       *dimensionedVector("g", dimAcceleration, pressure_.g());
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::vofFluid::gradP() const
 {
     return pressure_.gradient

@@ -7,6 +7,7 @@
 #include "pressureGradientForce.H"
 #include "addToRunTimeSelectionTable.H"
 #include "turbulenceField.H"
+#include "voidFractionEquations.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -72,10 +73,16 @@ Foam::pressureGradientForce::pressureGradientForce
     turbulent_(withoutTurbulence(dict, needs.fluid())),
     rho_(turbulent_ ? needs.quantity("rho") : -1),
     gradK_(turbulent_ ? needs.quantity("gradK") : -1),
+    weight_
+    (
+        needs.fluid().holdsHydrostatic() && !voidFractionEquations::full(needs.coupling())
+      ? needs.quantity("fluidWeight")
+      : -1
+    ),
     reacts_(needs.stressReacts()),
     quantities_(needs.quantities())
 {
-    if (!reacts_)
+    if (!reacts_ || weight_ >= 0)
     {
         needs.nonReacting();
     }
@@ -104,6 +111,19 @@ void Foam::pressureGradientForce::add(grainBatch& grains) const
         }
     }
 
+    if (reacts_ && weight_ >= 0)
+    {
+        const lane* weight = grains.fluid(weight_);
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (label i = 0; i < grainBatch::size; ++i)
+            {
+                Su[k][i] += grains.volume[i]*weight[k][i];
+                grains.nonReactingSu[k][i] -= grains.volume[i]*weight[k][i];
+            }
+        }
+    }
+
     if (turbulent_)
     {
         const lane& rho = *grains.fluid(rho_);
@@ -127,6 +147,10 @@ Foam::vector Foam::pressureGradientForce::stressDensity(const label celli) const
         gradient -=
             quantities_.scalarField(rho_)[celli]*(2.0/3.0)
            *quantities_.vectorField(gradK_)[celli];
+    }
+    if (weight_ >= 0)
+    {
+        gradient -= quantities_.vectorField(weight_)[celli];
     }
     return -gradient;
 }

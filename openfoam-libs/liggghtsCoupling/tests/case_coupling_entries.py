@@ -47,7 +47,7 @@ LANGEVIN = {
 LATE = ("file", "output", "name", "a thousand million")
 
 VOID_FRACTION = {
-    "model": Entry("choice", "divided", required=True),
+    "model": Entry("choice", "divided"),
     "minimum": Entry("fraction", "0.3"),
     "equations": Entry("choice", "neglected"),
     "filter": Entry("dictionary", "{ length 0; }"),
@@ -184,7 +184,7 @@ class Entries(bad_case.BadCase):
                 ("forces", "viscous", ("forces viscous ", "must be a list of words in parentheses, or a dictionary",
                                        "forces (pressureGradient viscous);")),
                 ("voidFraction", "divided", ("voidFraction divided ", "must be a dictionary", "voidFraction { model divided; }\n")),
-                ("voidFraction", "{ minimum 0.3; }", ("Entry model is missing in voidFraction", "Valid: (centre divided)")),
+                ("voidFraction", "{ model dividd; }", ("model dividd", "Valid: (centre divided)")),
                 ("voidFraction", "{ model divided; minimum 1; }", ("minimum 1 ", "above 0 and below 1", "minimum 0.3;")),
                 ("fluid", "{}", ("Entry model is missing in fluid", "Valid: (Boussinesq VOF buoyantCompressible compressible incompressible)")),
                 ("script", "{ a 1; }", ("script { ... } ", "must be a file name", 'script "constant/in.particles";')),

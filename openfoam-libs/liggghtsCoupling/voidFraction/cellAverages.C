@@ -20,13 +20,12 @@ namespace
 // The default is a model, not a number, so it is stated in one place
 dictionary modelDict(const dictionary& dict)
 {
-    if (dict.found("voidFraction"))
+    dictionary model(dict.subOrEmptyDict("voidFraction"));
+    if (!model.found("model"))
     {
-        return dict.subDict("voidFraction");
+        model.add("model", voidFractionModel::usual());
     }
-    dictionary divided;
-    divided.add("model", "divided");
-    return divided;
+    return model;
 }
 
 

@@ -94,10 +94,13 @@ void Foam::voidFractionModel::checkEntries(const dictionary& dict)
         dict,
         knownEntries::rule
         (
-            dictionaryConstructorTablePtr_->sortedToc(), knownEntries::REQUIRED
+            dictionaryConstructorTablePtr_->sortedToc()
         ).like("divided")
     );
-    const knownEntries::table* entries = knownEntries::stated(typeName_(), dict.get<word>("model"));
+    const knownEntries::table* entries = knownEntries::stated
+    (
+        typeName_(), dict.lookupOrDefault<word>("model", usual())
+    );
     if (entries)
     {
         knownEntries::check(dict, withCommon(*entries));
