@@ -66,77 +66,6 @@ void Foam::compressibleFluid::refuse(const string& reason) const
 }
 
 
-template<class FieldType>
-void Foam::compressibleFluid::checkField
-(
-    const word& key,
-    const dimensionSet& dimensions
-) const
-{
-    const word name(dict_.lookupOrDefault<word>(key, key));
-    const FieldType* field = mesh_.cfindObject<FieldType>(name);
-
-    if (!field)
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInEntry(dict_, key)
-                    << key << ' ' << name << ": there is no " << FieldType::typeName
-                    << " of this name. Those that the solver has are "
-                    << flatOutput(mesh_.sortedNames<FieldType>())
-                    << exit(FatalIOError);
-            }
-        );
-    }
-    if (field->dimensions() != dimensions)
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInEntry(dict_, key)
-                    << key << ' ' << name << ": the field has the dimensions "
-                    << field->dimensions() << " instead of " << dimensions
-                    << ", those of a solver for a compressible fluid. See the entry dimensions of "
-                    << mesh_.time().timeName(mesh_.time().startTime().value())/name
-                    << exit(FatalIOError);
-            }
-        );
-    }
-}
-
-
-void Foam::compressibleFluid::checkTimeScheme() const
-{
-    const dictionary& schemes = mesh_.schemesDict().subOrEmptyDict("ddtSchemes");
-    for (const word& key : {word("ddt(" + rhoName + ',' + UName_ + ')'), word("default")})
-    {
-        if (!schemes.found(key))
-        {
-            continue;
-        }
-        const tokenList& scheme = schemes.lookup(key);
-        for (const token& t : scheme)
-        {
-            if
-            (
-                t.isWord()
-             && wordHashSet({"steadyState", "localEuler", "SLTS", "CoEuler"}).found(t.wordToken())
-            )
-            {
-                FatalIOErrorInEntry(schemes, key)
-                    << "ddtSchemes: " << key << ' ' << t.wordToken()
-                    << " has no time that all cells and the grains share, which liggghtsCoupling"
-                    << " does not support. Take, for instance, Euler" << exit(FatalIOError);
-            }
-        }
-        return;
-    }
-}
-
-
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::compressibleFluid::checkSolver() const
@@ -178,7 +107,6 @@ void Foam::compressibleFluid::checkSolver() const
     {
         refuse("is a steady solver (its algorithm is SIMPLE), while grains need the time");
     }
-    checkTimeScheme();
 
     checkField<volVectorField>("U", dimVelocity);
     checkField<volScalarField>("p", dimPressure);
@@ -239,49 +167,6 @@ void Foam::compressibleFluid::check() const
 }
 
 
-void Foam::compressibleFluid::checkViscosity() const
-{
-    if (!model())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The solver has no model of turbulence or of laminar flow ("
-            << turbulenceModel::propertiesName << "), from which grains take the viscosity."
-            << " Take a solver that has one, such as rhoPimpleFoam or sonicFoam"
-            << exit(FatalIOError);
-    }
-
-    const tmp<volScalarField> tnu(nu());
-    const scalar low = gMin(tnu().primitiveField());
-    const scalar high = gMax(tnu().primitiveField());
-    if (!(low >= smallest && high <= largest))
-    {
-        couplingEntries::onMaster
-        (
-            [&]()
-            {
-                FatalIOErrorInFunction(dict_)
-                    << "mu/rho, the viscosity of the fluid (transport of " << mesh_.time().constant()
-                    << '/' << thermoName << ") over its density, is " << low << " to " << high
-                    << " m2/s. Drag on grains needs one that is positive and within " << smallest
-                    << " to " << largest << exit(FatalIOError);
-            }
-        );
-    }
-}
-
-
-const Foam::volVectorField& Foam::compressibleFluid::U() const
-{
-    return mesh_.lookupObject<volVectorField>(UName_);
-}
-
-
-const Foam::volScalarField& Foam::compressibleFluid::p() const
-{
-    return mesh_.lookupObject<volScalarField>(pName_);
-}
-
-
 Foam::tmp<Foam::volScalarField> Foam::compressibleFluid::rho() const
 {
     return *equationRho();
@@ -291,12 +176,6 @@ Foam::tmp<Foam::volScalarField> Foam::compressibleFluid::rho() const
 const Foam::volScalarField* Foam::compressibleFluid::equationRho() const
 {
     return &mesh_.lookupObject<volScalarField>(rhoName);
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::compressibleFluid::nu() const
-{
-    return model()->nu();
 }
 
 
@@ -315,19 +194,7 @@ Foam::tmp<Foam::volVectorField> Foam::compressibleFluid::divTau() const
 
 void Foam::compressibleFluid::checkEquation(const fvMatrix<vector>& eqn) const
 {
-    if (eqn.dimensions() != dimForce)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The momentum equation has the dimensions " << eqn.dimensions()
-            << ": fluid " << type() << " needs one that holds the density, " << dimForce
-            << exit(FatalIOError);
-    }
-    if (mesh_.changing())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "liggghtsCoupling needs a mesh that does not move or change"
-            << exit(FatalIOError);
-    }
+    checkEquationIs(eqn, dimForce, "which holds density");
 }
 
 
