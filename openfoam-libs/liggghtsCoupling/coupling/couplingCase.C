@@ -151,14 +151,14 @@ void Foam::couplingCase::checkLog() const
         return;
     }
 
-    // A run begins its log with the version of LIGGGHTS, a continued one with what the coupling sets
+    // A run begins its log with the version of LIGGGHTS, a continued one that finds none with the
+    // variable that liggghtsSession sets
     std::ifstream file(path, std::ios::binary);
     std::string start;
-    std::getline(file, start);
     if
     (
-        !start.empty() && start.compare(0, 8, "LIGGGHTS") != 0
-     && start.compare(0, 18, "variable continued") != 0
+        std::getline(file, start)
+     && !beginsWith(start, "LIGGGHTS") && start != "variable continued equal 1"
     )
     {
         refuse

@@ -71,6 +71,19 @@ class Restart(grainjet.Case):
             scale = max(abs(c) for c in a)
             self.assertLess(max(abs(p - q) for p, q in zip(a, b)), 1e-12 * scale, field)
 
+    def test_log_that_a_continued_run_began(self):
+        """The log was removed in between: a later run appends to the new one."""
+        folder = self.write("log", 20)
+        self.foam("blockMesh", folder)
+        for end in (20, 40, 60):
+            end_at(folder, end)
+            if end == 40:
+                (folder / "log.liggghts").unlink()
+            self.foam("pimpleFoam", folder)
+        log = (folder / "log.liggghts").read_text()
+        self.assertTrue(log.startswith("variable continued equal 1\n"), log[:200])
+        self.assertEqual(log.count("variable continued equal 1\n"), 2)
+
     def test_half_written_is_refused(self):
         """A time folder without complete grains stops the run and says what to do."""
         folder = self.write("killed", 40)
