@@ -12,7 +12,8 @@ zero everywhere. In the frame of the grains the fluid is steady, at - V before t
     p/rho = V^2/2 (1 - 1/e^2)
 
 The filter smooths the ends of the plug. Grains stand in columns of a square lattice, each column at a height of its own; in step they
-would all cross a face at the same time. Writes results/plug.csv and .png.
+would all cross a face at the same time. With a ramp the columns also begin and end at heights of their own, so that the solid
+fraction rises over some spacings. Writes results/plug.csv and .png.
 """
 
 import argparse
@@ -44,27 +45,32 @@ BERNOULLI = 0.5*V**2*(1 - 1/VOID**2)        # m2/s2
 
 # cell over spacing, what differs
 CASES = [(cell, {"formulation": formulation}) for formulation in ("SetII", "SetI") for cell in MESHES]
-CASES += [(2, {"length": 0.0}), (2, {"in_step": True})]
+CASES += [(2, {"length": 0.0}), (2, {"in_step": True}), (1, {"courant": 0.025, "formulation": "SetI"})]
+CASES += [(4, {"ramp": 16, "courant": courant, "formulation": formulation})
+          for courant, formulation in ((COURANT, "SetII"), (COURANT, "SetI"), (COURANT/4, "SetI"))]
 
 
-def times(cells):
+def times(cells, courant=COURANT):
     """Cell [m], step [s], number of steps."""
     cell = WIDTH/cells
-    step = float(f"{COURANT*cell/V:.4g}")
+    step = float(f"{courant*cell/V:.4g}")
     return cell, step, round(PATH/V/step)
 
 
-def write(case, cells, length=LENGTH, in_step=False, formulation="SetII"):
+def write(case, cells, length=LENGTH, in_step=False, formulation="SetII", ramp=0, courant=COURANT):
     """The column with cells of WIDTH/cells."""
-    cell, step, steps = times(cells)
-    probe = (WIDTH/2 - cell/2, WIDTH/2 - cell/2, PROBE + cell/2)
+    cell, step, steps = times(cells, courant)
+    probe = (WIDTH/2 - cell/2, WIDTH/2 - cell/2, PROBE - ramp/2*SPACING + cell/2)
     box.write(case, velocity="(0 0 0)", nu=NU, through=True, cells=f"{cells} {cells} {round(HEIGHT/cell)}", delta_t=step,
               steps=steps, size=[1e3*x for x in (WIDTH, WIDTH, HEIGHT)],
               functions=f"probe {{ type probes; libs (sampling); fields (p); probeLocations ({dictionaries.vector(probe)}); }}")
     rng = random.Random(1)
     phases = [[0 if in_step else rng.random() for _ in range(ACROSS)] for _ in range(ACROSS)]
     places = [((i + 0.37)*SPACING, (j + 0.41)*SPACING, (k + 0.29 + phases[i][j])*SPACING)
-              for k in range(*PLUG) for j in range(ACROSS) for i in range(ACROSS)]
+              for k in range(PLUG[0], PLUG[1] - ramp) for j in range(ACROSS) for i in range(ACROSS)]
+    starts = list(range(ACROSS**2))
+    random.Random(2).shuffle(starts)
+    places = [(x, y, z + ramp*starts[n % ACROSS**2]/ACROSS**2*SPACING) for n, (x, y, z) in enumerate(places)]
     # So heavy that the pressure does not change their speed
     box.script(case, dt=step/2, boundary="p p f", box=f"0 {WIDTH} 0 {WIDTH} 0 {HEIGHT}",
                grains=box.grains(places, [(0, 0, V)]*len(places), D, 1e11))
@@ -81,9 +87,9 @@ def roughness(p):
 class Result:
     """What a run of the column gave."""
 
-    def __init__(self, case, cells):
+    def __init__(self, case, cells, courant):
         end = max((f.parent for f in pathlib.Path(case).glob("*/voidFraction")), key=lambda f: float(f.name))
-        cell, step, steps = times(cells)
+        cell, step, steps = times(cells, courant)
         along = round(HEIGHT/cell)
 
         def layers(name):
@@ -108,23 +114,25 @@ def run(case, cells, **options):
             if done.code:
                 raise SystemExit(f"{case}: {program}\n{done.output[-3000:]}")
             (case/f"log.{program}").write_text(done.output)
-    return Result(case, cells)
+    return Result(case, cells, options.get("courant", COURANT))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("work", type=pathlib.Path)
     work = parser.parse_args().work
-    rows = [["cell/spacing", "formulation", "filter", "columns", "p/Bernoulli", "p behind/Bernoulli", "roughness", "largest deviation", "max U/V"]]
+    rows = [["cell/spacing", "formulation", "filter", "columns", "ramp", "Courant", "p/Bernoulli", "p behind/Bernoulli", "roughness",
+             "largest deviation", "max U/V"]]
     figure, (along, over) = plt.subplots(1, 2, figsize=(11, 3.6), constrained_layout=True)
     for size, options in CASES:
         formulation = options.get("formulation", "SetII")
         name = "-".join([f"{size}", *(f"{key}-{value}" for key, value in options.items())])
         found = run(work/name, MESHES[size], **options)
-        rows.append([f"{size}", formulation, f"{options.get('length', LENGTH)/D:g} d", "in step" if "in_step" in options else "out of step",
-                     f"{found.pressure:.4f}", f"{found.behind:.4f}", f"{found.roughness:.4f}", f"{found.largest:.4f}", f"{found.uneven:.4f}"])
+        measured = (found.pressure, found.behind, found.roughness, found.largest, found.uneven)
+        rows.append([size, formulation, f"{options.get('length', LENGTH)/D:g} d", "in step" if "in_step" in options else "out of step",
+                     options.get("ramp", 0), options.get("courant", COURANT), *(f"{value:.4f}" for value in measured)])
         print(*rows[-1], sep="  ", flush=True)
-        if formulation == "SetII" and len(options) == 1 and "formulation" in options:
+        if options == {"formulation": "SetII"}:
             along.plot(found.z/D, found.p/abs(BERNOULLI), label=f"cell {size} spacings")
             over.plot(found.time, found.history/abs(BERNOULLI), label=f"cell {size} spacings")
     with open(HERE/"results/plug.csv", "w", newline="") as file:

@@ -126,12 +126,43 @@ Foam::tmp<FieldType> Foam::voidFractionEquations::rateOfChange(const FieldType& 
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::rateOfShares() const
+Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::kicks() const
 {
-    tmp<volScalarField> trate(rateOfChange(voidFraction_) - fvc::surfaceIntegrate(fluxOfSolids()));
+    const volScalarField& e = voidFraction_;
+    const volVectorField& q = solidsFlux_;
+    tmp<volScalarField> tchange(rateOfChange(e));
+    if (fluid_.equationRho())
+    {
+        // What the solver's continuity equation has done is no kick
+        tchange = tchange - fvc::ddt(*fluid_.equationRho());
+    }
+    const tmp<volScalarField> tdivq(fvc::surfaceIntegrate(fluxOfSolids()));
 
-    // What the solver's continuity equation has done is no kick
-    return fluid_.equationRho() ? trate - fvc::ddt(*fluid_.equationRho()) : trate;
+    // A cell that grains are just about to enter has those next to it alone
+    const tmp<volVectorField> tqAround
+    (
+        fvc::surfaceSum(linearInterpolate(q + q.oldTime()))
+    );
+    const tmp<volScalarField> taAround
+    (
+        fvc::surfaceSum(linearInterpolate(2 - e - e.oldTime()))
+    );
+
+    tmp<vectorField> tkicks(new vectorField(e.size(), Zero));
+    vectorField& kicks = tkicks.ref();
+    forAll(kicks, celli)
+    {
+        const scalar a = 2 - e[celli] - e.oldTime()[celli];
+        if (a > VSMALL)
+        {
+            kicks[celli] = tchange()[celli]/a*(q[celli] + q.oldTime()[celli]);
+        }
+        if (taAround()[celli] > VSMALL)
+        {
+            kicks[celli] -= tdivq()[celli]/taAround()[celli]*tqAround()[celli];
+        }
+    }
+    return tkicks;
 }
 
 
@@ -146,15 +177,12 @@ void Foam::voidFractionEquations::smooth()
     const fvMesh& mesh = fluid_.mesh();
     const scalarField& V = mesh.V();
     const scalar dt = dt_ = mesh.time().deltaTValue();
-    const tmp<volScalarField> trate(rateOfShares());
+    const tmp<vectorField> tkicks(kicks());
     const tmp<volScalarField> tpassages(0.5*fvc::surfaceSum(mag(fluid_.phi())));
 
     forAll(smoothing_, celli)
     {
-        const vector kick
-        (
-            fluid_.equationDensity(celli)*V[celli]*trate()[celli]*fluidVelocity_[celli]
-        );
+        const vector kick(fluid_.equationDensity(celli)*V[celli]*tkicks()[celli]);
         vector& unpaid = unpaid_[celli];
         unpaid -= dt*kick;
 

@@ -64,13 +64,15 @@ class Dense(grainjet.Case):
                 self.assertLess(found["flux"], 1e-9)
 
     def test_plug(self):
-        """Bernoulli's pressure, in the mean over time, in a plug that moves through still fluid: 1 % too much with cells of two
-        spacings (0.5 % with one, 3 % with four). What a step adds to that of its neighbours in time is 5 % of it at most in the
-        mean: see validation/dense/README.md for the measure."""
+        """Bernoulli's pressure in a plug that moves through still fluid: 1 % too much with cells of two spacings (0.3 % with one,
+        3 % with four). It is as smooth over time as the void fraction of the cell, which changes by 0.1 % as grains
+        cross its faces; kicks in proportion to the inverse of the step would be 4 % in the mean, 10 % at most."""
         found = plug.run(self.new_folder(), plug.MESHES[2])
-        print(f"pressure over Bernoulli's {found.pressure:.4f}, behind {found.behind:.4f}, roughness {found.roughness:.4f}")
+        print(f"pressure over Bernoulli's {found.pressure:.4f}, behind {found.behind:.4f}, roughness {found.roughness:.4f}, "
+              f"largest deviation {found.largest:.4f}")
         self.assertLess(abs(found.pressure - 1), 0.02)
-        self.assertLess(found.roughness, 0.06)
+        self.assertLess(found.roughness, 0.003)
+        self.assertLess(found.largest, 0.01)
 
     def test_fluidisation(self):
         """Air turned up: where the bed is lifted the air carries its weight within 1 %; U_mf is that of the law, layer by layer,
