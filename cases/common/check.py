@@ -158,7 +158,7 @@ class Results:
 def judge(results):
     """Print the table of results and what must hold in them. Returns the exit code."""
     print("", *results.table(), sep="\n")
-    checks = results.checks()
+    checks = list(results.checks())
     print()
     for held, text in checks:
         print(f"  {'holds ' if held else 'FAILED'}  {text}")
