@@ -6,12 +6,10 @@
 
 #include "formerRun.H"
 #include "couplingEntries.H"
-#include "entryError.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "Time.H"
-#include "volFields.H"
 
 #include <fstream>
 #include <sstream>
