@@ -155,10 +155,10 @@ class Results:
         return checks
 
 
-def main():
-    results = Results(sys.argv[1] if len(sys.argv) > 1 else ".")
+def judge(results):
+    """Print the table of results and what must hold in them. Returns the exit code."""
     print("", *results.table(), sep="\n")
-    checks = results.checks()
+    checks = list(results.checks())
     print()
     for held, text in checks:
         print(f"  {'holds ' if held else 'FAILED'}  {text}")
@@ -167,5 +167,10 @@ def main():
     return 1 if failed else 0
 
 
+def case():
+    """The folder of the case, as the command line says."""
+    return sys.argv[1] if len(sys.argv) > 1 else "."
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(judge(Results(case())))

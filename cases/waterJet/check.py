@@ -217,17 +217,5 @@ class Results:
         return checks
 
 
-def main():
-    results = Results(sys.argv[1] if len(sys.argv) > 1 else ".")
-    print("", *results.table(), sep="\n")
-    checks = results.checks()
-    print()
-    for held, text in checks:
-        print(f"  {'holds ' if held else 'FAILED'}  {text}")
-    failed = sum(not held for held, _ in checks)
-    print("All checks hold" if not failed else f"{failed} checks FAILED")
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(jet.judge(Results(jet.case())))

@@ -134,7 +134,7 @@ Foam::couplingPipeline::couplingPipeline
     fluid_(fluid),
     locator_(fluid.mesh()),
     forces_(dict, fluid, locator_),
-    former_(fluid.mesh()),
+    former_(dict, fluid.mesh()),
     steps_(dict, fluid.mesh(), former_.deltaT()),
     averages_(dict, locator_),
     equations_(newEquations()),

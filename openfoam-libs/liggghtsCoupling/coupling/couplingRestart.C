@@ -92,7 +92,8 @@ Foam::couplingRestart::couplingRestart
     session_(session),
     stateFiles_(stateFiles),
     writeState_(writeState),
-    log_(log)
+    log_(log),
+    entries_(former.entries())
 {
     if (former.continues())
     {
@@ -164,6 +165,7 @@ bool Foam::couplingRestart::writeObject
     counters.add("sha1", formerRun::digest(partial));
     counters.add("time", word(time.timeName(), false));
     counters.add("files", optionalFiles());
+    counters.merge(entries_);
     counters.regIOobject::writeObject
     (
         IOstream::ASCII,

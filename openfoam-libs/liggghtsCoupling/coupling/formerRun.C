@@ -6,13 +6,10 @@
 
 #include "formerRun.H"
 #include "couplingEntries.H"
-#include "entryError.H"
 #include "IFstream.H"
-#include "IOdictionary.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "Time.H"
-#include "volFields.H"
 
 #include <fstream>
 #include <sstream>
@@ -240,105 +237,11 @@ void Foam::formerRun::incomplete
 }
 
 
-void Foam::formerRun::readProperties(const wordList& traces)
-{
-    const fileName path(found(startName_));
-    grains_.file = mesh_.time().relativePath(path);
-
-    const IOdictionary dict(header(propertiesName, "uniform"));
-
-    for (const char* key : {"time", "demStep", "grains", "stamp", "bytes", "sha1", "files"})
-    {
-        if (!dict.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << key << " is missing in " << dict.objectPath()
-                << ": the grains of time " << startName_
-                << " were written by an older version of liggghtsCoupling and cannot be"
-                << " continued. Continue them with that version"
-                << exit(FatalIOError);
-        }
-    }
-
-    const scalar written = dict.get<scalar>("time");
-    if (mag(written - startTime_) > 0.5*mesh_.time().deltaTValue())
-    {
-        FatalIOErrorInEntry(dict, "time")
-            << "The grains in time " << startName_ << " were written at time "
-            << written << ". They belong to the fields of that time: copy them there, or, if"
-            << " all of this folder is of that time and the run shall go on from here, set"
-            << " the entry time of " << dict.objectPath() << " to "
-            << startName_ << exit(FatalIOError);
-    }
-
-    inserted_ = dict.get<scalar>("inserted");
-    leftBox_ = dict.get<scalar>("leftBox");
-    deleted_ = dict.get<scalar>("deleted");
-    grains_.stamp = dict.get<scalar>("stamp");
-    grains_.step = dict.get<scalar>("demStep");
-    grains_.grains = dict.get<scalar>("grains");
-
-    // A former run with fixed steps may not have written them
-    dict.readIfPresent("demTimeStep", grains_.timeStep);
-    dict.readIfPresent("demTime", grains_.time);
-    dict.readIfPresent("deltaT", deltaT_);
-
-    scalar bytes = 0;
-    if (Pstream::master())
-    {
-        bytes = Foam::fileSize(path);
-    }
-    Pstream::scatter(bytes);
-    const scalar expected = dict.get<scalar>("bytes");
-    if (bytes != expected)
-    {
-        std::ostringstream message;
-        message.precision(16);
-        message << "The file of grains " << grains_.file << " has " << bytes << " bytes instead of "
-            << expected;
-        incomplete(message.str(), traces);
-    }
-
-    if (digest(path) != dict.get<string>("sha1"))
-    {
-        incomplete("The file of grains " + grains_.file + " is damaged: its checksum differs", traces);
-    }
-
-    checkFiles(dict.get<wordList>("files"), traces);
-}
-
-
-void Foam::formerRun::checkFiles(wordList names, const wordList& traces) const
-{
-    // Reading a header may be collective
-    Pstream::scatter(names);
-    fileNameList missing(Pstream::nProcs());
-
-    for (const word& name : names)
-    {
-        IOobject io(header(name, fileName()));
-        if (!io.typeHeaderOk<volScalarField>(false, false, false))
-        {
-            missing[Pstream::myProcNo()] = mesh_.time().relativePath(io.objectPath());
-        }
-    }
-    Pstream::gatherList(missing);
-    Pstream::scatterList(missing);
-
-    for (const fileName& file : missing)
-    {
-        if (!file.empty())
-        {
-            incomplete("There is no readable file " + file, traces);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::formerRun::formerRun(const fvMesh& mesh)
+Foam::formerRun::formerRun(const dictionary& dict, const fvMesh& mesh)
 :
+    dict_(dict),
     mesh_(mesh),
     startTime_(mesh.time().startTime().value()),
     startName_(mesh.time().timeName(startTime_)),

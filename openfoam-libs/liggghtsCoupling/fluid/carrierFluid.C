@@ -324,6 +324,17 @@ Foam::tmp<Foam::volScalarField> Foam::carrierFluid::nu() const
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::carrierFluid::effectiveViscosity() const
+{
+    const tmp<volScalarField> tnuEff(model()->nuEff());
+    const volScalarField* rho = equationRho();
+    return
+        rho
+      ? tmp<volScalarField>::New('(' + rho->name() + "*nuEff)", *rho*tnuEff)
+      : tmp<volScalarField>::New("nuEff", tnuEff);
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::carrierFluid::weight() const
 {
     return rho()*dimensionedVector

@@ -284,6 +284,8 @@ Foam::vector Foam::voidFractionEquations::owed() const
 
 void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
 {
+    fluid_.keepStress();
+
     const volVectorField& U = fluid_.U();
     const surfaceScalarField& flux = fluid_.momentumFlux();
     const surfaceScalarField fluidFlux
@@ -309,7 +311,7 @@ void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
     volVectorField difference("velocityDifference", fluidVelocity_);
     setFluidVelocity(difference);
     difference -= U;
-    const tmp<volVectorField> tviscous(viscousStress(difference));
+    const tmp<volVectorField> tviscous(viscousStress(difference, fluid_.effectiveViscosity()));
     eqn += tviscous().internalField();
 
     // Of the present U so far. What a new one adds is implicit, or large viscosities would not be stable

@@ -14,28 +14,16 @@ Description
 #include "fvmLaplacian.H"
 #include "fvMatrices.H"
 #include "gradScheme.H"
-#include "turbulenceModel.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::effectiveViscosity() const
-{
-    const tmp<volScalarField> tnuEff(fluid_.model()->nuEff());
-    const volScalarField* rho = fluid_.equationRho();
-    return
-        rho
-      ? tmp<volScalarField>::New('(' + rho->name() + "*nuEff)", *rho*tnuEff)
-      : tmp<volScalarField>::New("nuEff", tnuEff);
-}
-
-
 Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
 (
-    const volVectorField& velocity
+    const volVectorField& velocity,
+    const tmp<volScalarField>& tviscosity
 ) const
 {
     const word& name = fluid_.UName();
-    const tmp<volScalarField> tviscosity(effectiveViscosity());
     const tmp<volTensorField> tgradient
     (
         // Not from the cache, where the gradient of U has this name
@@ -76,7 +64,7 @@ void Foam::voidFractionEquations::follow
 Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChange() const
 {
     const volVectorField& U = fluid_.U();
-    const tmp<volScalarField> tviscosity(effectiveViscosity());
+    const tmp<volScalarField> tviscosity(fluid_.effectiveViscosity());
     tmp<fvMatrix<vector>> tmatrix
     (
         fvm::laplacian
@@ -113,7 +101,7 @@ Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChan
 
 Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
 {
-    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
+    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_, fluid_.viscosityOfStress()));
     const tmp<volVectorField> tgradP(fluid_.gradP());
     tmp<vectorField> tstress(new vectorField(-tgradP().primitiveField()));
     vectorField& stress = tstress.ref();

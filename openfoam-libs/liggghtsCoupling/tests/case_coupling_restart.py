@@ -4,13 +4,16 @@
 """A coupled run that is stopped and continued."""
 # processors: 2
 
+import math
 import shutil
 import unittest
 
+from crowded_box import values
 import grainjet
 from grainjet import coupled_box as box, dictionaries, dumps, scripts
 from grainjet.coupled_box import end_at, swarm
 
+MASS = 2500 * math.pi / 6 * 1e-9    # of a grain
 DUMP = scripts.dump(100, "grains.*.dump", box.MOTION)
 FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient",
           "particleMomentumSource", "particleMomentumOwed")
@@ -18,7 +21,7 @@ FIELDS = ("U", "p", "phi", "voidFraction", "particleVelocity", "dragCoefficient"
 
 class Restart(grainjet.Case):
 
-    def write(self, name, steps, equations="neglected"):
+    def write(self, name, steps, equations="neglected", **options):
         folder = self.folder / f"{name}_{equations}"
         box.write(folder, steps=steps, write_every=20)
         # large grains in a crowd: there are contacts when the run stops
@@ -26,8 +29,12 @@ class Restart(grainjet.Case):
         box.script(folder, grains=box.grains(x, v, 1e-3), end=DUMP,
                    plugins="plugin load hertzcgplugin.so",
                    fixes="fix contacts all hertz/cg tangential history rolling off")
-        box.fv_options(folder, interpolation="cell", voidFraction=box.void_fraction(equations))
+        self.options(folder, equations, **options)
         return folder
+
+    @staticmethod
+    def options(folder, equations="neglected", **options):
+        box.fv_options(folder, interpolation="cell", voidFraction=box.void_fraction(equations), **options)
 
     def interrupted(self, ranks=0, equations="neglected"):
         """40 steps in one run, and in two runs of 20."""
@@ -71,6 +78,48 @@ class Restart(grainjet.Case):
             scale = max(abs(c) for c in a)
             self.assertLess(max(abs(p - q) for p, q in zip(a, b)), 1e-12 * scale, field)
 
+    def test_entries_that_do_not_fit(self):
+        """Entries with which the fields of the former run mean something else, or what the fluid is owed would be lost, are
+        refused; the same ones continue."""
+        for former, present, words in (
+                ({"equations": "full"}, {}, ("equations neglected", "equations full")),
+                ({}, {"equations": "full"}, ("equations full", "equations neglected")),
+                ({}, {"momentum": "explicit"}, ("momentum explicit", "momentum implicit", "particleMomentumOwed"))):
+            with self.subTest(former=former, present=present):
+                folder = self.write(f"{len(words)}", 10, **former)
+                dictionaries.put(folder / "system/controlDict", writeInterval="10")
+                self.foam("blockMesh", folder)
+                self.foam("pimpleFoam", folder)
+                end_at(folder, 11)
+                self.options(folder, **present)
+                result = self.foam("pimpleFoam", folder, check=False)
+                self.assertFails(result, "fvOptions", "time 0.001", *words)
+                self.assertNotRegex(result.output, box.SOLVED)
+                self.options(folder, **former)
+                self.foam("pimpleFoam", folder)
+
+    def test_another_formulation(self):
+        """What a run with one formulation owes the fluid is received in one with the other. Booked in neither is the half
+        kick by the former SetII's pressure gradient and viscous force; a whole DEM step of them is allowed."""
+        for equations, former, present in (("neglected", "SetII", "SetI"), ("full", "SetII", "SetI"), ("full", "SetI", "SetII")):
+            with self.subTest(equations=equations, former=former):
+                folder = self.write(former, 20, equations, formulation=former)
+                self.foam("blockMesh", folder)
+                self.foam("pimpleFoam", folder)
+                end_at(folder, 40)
+                self.options(folder, equations, formulation=present)
+                self.foam("pimpleFoam", folder)
+                before, balance = box.read_balance(folder), box.read_balance(folder, "0.002")
+                self.assertLess(max(balance["imbalance"]), 1e-10)
+                debts = ("particleMomentumOwed",) + ("momentumOfShares",) * (equations == "full")
+                owed = sum(values(folder / "0.002" / debt).sum(0)[2] for debt in debts)
+                self.assertAlmostEqual(balance["owed_z"][0], owed, delta=1e-10 * abs(owed))
+                first, second = (sum(motion[5] for motion in dumps.last(folder / f"grains.{step}.dump").values())
+                                 for step in (200, 400))
+                booked = sum(balance["toGrains_z"]) + sum(balance["nonReacting_z"])
+                step = abs(before["nonReacting_z"][-1]) / 10
+                self.assertAlmostEqual(MASS * (second - first), booked, delta=step + 1e-10 * abs(booked))
+
     def test_log_that_a_continued_run_began(self):
         """The log was removed in between: a later run appends to the new one."""
         folder = self.write("log", 20)
@@ -83,6 +132,24 @@ class Restart(grainjet.Case):
         log = (folder / "log.liggghts").read_text()
         self.assertTrue(log.startswith("variable continued equal 1\n"), log[:200])
         self.assertEqual(log.count("variable continued equal 1\n"), 2)
+
+    def test_one_dump_of_both_runs(self):
+        """With the line of the page one file has the frames of both runs, that of the restart step twice; without it, those
+        of the second run."""
+        for append, steps in (("", [200, 300, 400]),
+                              ('if "${continued}" then "dump_modify frames append yes"', [0, 100, 200, 200, 300, 400])):
+            folder = self.folder / f"dump{len(steps)}"
+            box.write(folder, steps=20)
+            box.script(folder, grains=box.grains(*swarm(3, 5)), end="dump frames all custom 100 grains.dump id x y z\n" + append)
+            box.fv_options(folder)
+            self.foam("blockMesh", folder)
+            for end in (20, 40):
+                end_at(folder, end)
+                self.foam("pimpleFoam", folder)
+            frames = list(dumps.frames(folder / "grains.dump"))
+            self.assertEqual([frame.step for frame in frames], steps)
+            twice = [frame.array().tolist() for frame in frames if frame.step == 200]
+            self.assertEqual(twice[0], twice[-1])
 
     def test_half_written_is_refused(self):
         """A time folder without complete grains stops the run and says what to do."""

@@ -15,7 +15,6 @@ openfoam-examples, which is fetched into the work folder if it is not installed.
 """
 
 import argparse
-import csv
 import gzip
 import json
 import math
@@ -32,8 +31,8 @@ import numpy
 
 import dpm_case
 import grainjet
-from grainjet import dictionaries, fields, tables
-from run import Measured, done
+from grainjet import dictionaries, done, fields, tables
+from run import Measured
 
 TUTORIAL = "usr/share/doc/openfoam-examples/examples/lagrangian/DPMFoam/Goldschmidt"
 
@@ -323,17 +322,6 @@ def cost(work, source, options):
                    f"{numpy.median(ratios[2]):.2f}"]
 
 
-def table(path, rows):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w", newline="") as out:
-        csv.writer(out, lineterminator="\n").writerows(rows)
-
-
-def show(rows):
-    lines = ["| " + " | ".join(row) + " |" for row in rows]
-    print("\n".join([lines[0], "|---"*len(rows[0]) + "|", *lines[1:]]) + "\n", flush=True)
-
-
 def compare(found, begin, output):
     """Tables and figure of the bed."""
     end = min(t[-1] for (t, _), _ in found.values())
@@ -350,14 +338,15 @@ def compare(found, begin, output):
         for row, ((x, y), (u, v)) in zip(rows[1:], found.values()):
             row += [f"{1e3*math.sqrt(((numpy.interp(t, x, y) - z)**2).mean()):.2f}",
                     f"{100*math.sqrt(((numpy.interp(s, u, v) - p)**2).mean())/MEAN_PRESSURE:.1f}"]
-    show(rows)
-    table(output/"means.csv", rows)
+    tables.show(rows)
+    print()
+    tables.write(output/"means.csv", rows)
     columns = [(f"{name}: {words}", series[0], factor*series[1]) for name, pair in found.items()
                for words, series, factor in (("height, mm", pair[0], 1e3), ("pressure drop over weight", pair[1], 1/MEAN_PRESSURE))]
     rows = [["t, s", *(name for name, _, _ in columns)]]
     for t in next(iter(found.values()))[0][0]:
         rows.append([f"{t:.3g}", *(f"{numpy.interp(t, x, y, right=math.nan):.4g}" for _, x, y in columns)])
-    table(output/"series.csv", rows)
+    tables.write(output/"series.csv", rows)
     figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
     for name, ((t, z), (s, p)) in found.items():
         style = {"color": "black", "linewidth": 2} if name == "DPMFoam" else {"linewidth": 1}
@@ -388,9 +377,10 @@ def main():
         compare(found, options.begin, options.output or work)
     if "cost" in options.only:
         rows = list(cost(work, source, options))
-        show(rows)
+        tables.show(rows)
+        print()
         if options.output:
-            table(options.output/"cost.csv", rows)
+            tables.write(options.output/"cost.csv", rows)
     if not options.work:
         shutil.rmtree(work)
 

@@ -14,7 +14,6 @@ state found there is used again. README.md says what is the same and what is not
 """
 
 import argparse
-import csv
 import pathlib
 import re
 import resource
@@ -27,7 +26,7 @@ import numpy
 
 import dpm_case
 import grainjet
-from grainjet import dictionaries, fields, tables
+from grainjet import dictionaries, done, fields, tables
 
 SLAB = 4        # length of the pieces of the axis in which grains are averaged, in D
 NEAR = 0.2      # grains nearer to the axis than this count, in D
@@ -36,14 +35,6 @@ NEAR = 0.2      # grains nearer to the axis than this count, in D
 def parameters(case):
     """The entries of system/parameters."""
     return dictionaries.values(case/"system"/"parameters")
-
-
-def done(command, folder, log):
-    """Run a program that must succeed; its output goes to a file in the folder."""
-    result = grainjet.run(command, folder, timeout=7200)
-    (folder/log).write_text(result.output)
-    if result.code:
-        raise SystemExit(f"{command[0]} failed, see {folder/log}\n{result.output[-3000:]}")
 
 
 def solver(name, ranks):
@@ -271,8 +262,7 @@ def main():
     lines = [[f"{start:g} to {start + SLAB:g}", *(text for end in ends.values() for text in (
         f"{end[start][0]}", f"{end[start][1]:.2f}", f"{end[start][2]:.2f}"))] for start in next(iter(ends.values()))]
     print(f"\nMean axial velocity of grains within {NEAR} D of the axis at the end, by pieces of the axis\n")
-    print("| " + " | ".join(heads) + " |\n" + "|---"*len(heads) + "|")
-    print("\n".join("| " + " | ".join(line) + " |" for line in lines))
+    tables.show([heads, *lines])
 
     if {"main job, 1", "DPMFoam, 1"} <= set(folders):
         ours, theirs = axial_velocity(folders["main job, 1"], "U"), axial_velocity(folders["DPMFoam, 1"], "U.air")
@@ -281,10 +271,8 @@ def main():
               f"at most {ours.max():.2f} m/s")
 
     if options.output:
-        options.output.mkdir(parents=True, exist_ok=True)
-        for name, table in (("cost", [COLUMNS, *(cells(row, rows) for row in rows)]), ("axis", [heads, *lines])):
-            with open(options.output/f"{name}.csv", "w", newline="") as out:
-                csv.writer(out, lineterminator="\n").writerows(table)
+        tables.write(options.output/"cost.csv", [COLUMNS, *(cells(row, rows) for row in rows)])
+        tables.write(options.output/"axis.csv", [heads, *lines])
     if not options.work:
         shutil.rmtree(work)
 

@@ -13,7 +13,6 @@ sampling, --steps fluid steps in turns (seconds, iterations of the linear solver
 """
 
 import argparse
-import csv
 import math
 import pathlib
 import re
@@ -24,21 +23,12 @@ import tempfile
 import numpy
 
 import grainjet
-from grainjet import dictionaries, tables
+from grainjet import dictionaries, done, tables
 
 # Entries of voidFraction behind the model. The smallest cell is 7.6 grain diameters wide, and a filter must not be smaller
 VARIANTS = {"neglected": "equations neglected;", "full": "equations full;"}
 FILTER = "equations full; filter { length 1.3e-3; }"
 ENOUGH = 5      # crossings of a ring without which it says nothing about a mean
-
-
-def done(command, folder, log, timeout=7200):
-    """Run a program that must succeed; its output goes to a file in the folder."""
-    result = grainjet.run(command, folder, timeout=timeout)
-    (folder/log).write_text(result.output)
-    if result.code:
-        raise SystemExit(f"{command[0]} failed, see {folder/log}\n{result.output[-3000:]}")
-    return result.output
 
 
 def job(work, name):
@@ -126,17 +116,6 @@ def counted(cases, name, work, steps):
     return (found[1] - found[0])/steps*1e-6
 
 
-def write(path, rows):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w", newline="") as out:
-        csv.writer(out, lineterminator="\n").writerows(rows)
-
-
-def show(rows):
-    lines = ["| " + " | ".join(row) + " |" for row in rows]
-    print("\n".join([lines[0], "|---"*len(rows[0]) + "|", *lines[1:]]) + "\n", flush=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--turns", type=int, default=5)
@@ -178,9 +157,10 @@ def main():
             for row in results["cost"][1:]:
                 row.append(f"{counted(cases, row[0], work, options.counted):.1f}")
     for name, rows in results.items():
-        show(rows)
+        tables.show(rows)
+        print()
         if options.output:
-            write(options.output/f"{name}.csv", rows)
+            tables.write(options.output/f"{name}.csv", rows)
     if not options.work:
         shutil.rmtree(work)
 

@@ -13,7 +13,6 @@ the coarsest. With --work the folder is kept, and what is complete is not run ag
 """
 
 import argparse
-import csv
 import math
 import pathlib
 import random
@@ -26,7 +25,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import grainjet
-from grainjet import coupled_box as box, dictionaries
+from grainjet import coupled_box as box, dictionaries, tables
 
 GRAIN, CG, DENSITY = 160e-6, 2, 300.0
 RHO, NU = 1.2, 1e-4
@@ -175,13 +174,10 @@ def main():
     for axis in axes[1]:
         axis.set_xlabel("x/D")
     axes[0, 0].legend(fontsize=8)
-    lines = ["| " + " | ".join(row) + " |" for row in spreads]
-    print("\n".join([lines[0], "|---"*len(spreads[0]) + "|", *lines[1:]]))
+    tables.show(spreads)
     if options.output:
-        options.output.mkdir(parents=True, exist_ok=True)
-        for name, table in (("meshes", rows), ("meshes_spread", spreads)):
-            with open(options.output/f"{name}.csv", "w", newline="") as out:
-                csv.writer(out, lineterminator="\n").writerows(table)
+        tables.write(options.output/"meshes.csv", rows)
+        tables.write(options.output/"meshes_spread.csv", spreads)
         figure.savefig(options.output/"meshes.png", dpi=110)
     if not options.work:
         shutil.rmtree(work)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Grainjet's tests, benchmarks and programs for tables and pictures share, in Python.
 
-    import grainjet                         the basis: Case, run, start, mpirun, ROOT, ENV
+    import grainjet                         the basis: Case, run, done, start, mpirun, ROOT, ENV
     from grainjet import dictionaries ...   the rest, by what it is about
 
 programs        runs the real programs, with the environment of a user
@@ -11,7 +11,7 @@ case            Case, a test with a fresh folder
 dictionaries    files of an OpenFOAM case: written, changed, read
 scripts         what LIGGGHTS reads: dump commands, data files, surfaces
 dumps           what LIGGGHTS dumps
-tables          tables below postProcessing/ and those in the log of LIGGGHTS
+tables          tables below postProcessing/ and those in the log of LIGGGHTS; writes and prints some
 fields          meshes and clouds of grains, read by VTK
 coupled_box     a small coupled case
 impacts         impacts of single grains
@@ -22,6 +22,6 @@ It holds no tolerances. A file finds the package by PYTHONPATH, which `source en
 """
 
 from grainjet.case import Case
-from grainjet.programs import ENV, ROOT, Run, liggghts_examples, mpirun, run, start
+from grainjet.programs import ENV, ROOT, Run, done, liggghts_examples, mpirun, run, start
 
-__all__ = ["Case", "ENV", "ROOT", "Run", "liggghts_examples", "mpirun", "run", "start"]
+__all__ = ["Case", "ENV", "ROOT", "Run", "done", "liggghts_examples", "mpirun", "run", "start"]

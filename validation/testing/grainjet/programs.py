@@ -78,6 +78,15 @@ def run(command, folder, timeout=600, env=None):
     return Run(process.returncode, output.decode(errors="replace"))
 
 
+def done(command, folder, log, timeout=7200):
+    """Run a program that must succeed; its output goes to a file in the folder, and is returned."""
+    result = run(command, folder, timeout)
+    (folder / log).write_text(result.output)
+    if result.code:
+        raise SystemExit(f"{command[0]} failed, see {folder / log}\n{result.output[-3000:]}")
+    return result.output
+
+
 class Started:
     """A program that works while the test goes on; its output goes to a file. Used in `with`, which
     kills it at the end, with all its processes."""

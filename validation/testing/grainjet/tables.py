@@ -1,9 +1,10 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables: those that Grainjet writes below `postProcessing/`, columns by name as numpy arrays, and those that
-LIGGGHTS prints."""
+"""Tables: those that Grainjet writes below `postProcessing/`, columns by name as numpy arrays, those that
+LIGGGHTS prints, and those of a comparison, rows of texts."""
 
+import csv
 import pathlib
 import re
 
@@ -88,3 +89,16 @@ def thermo(output):
 def printed(output):
     """{name: value} of the lines `name = value` that `print` has left; the last one of a name holds."""
     return {name: float(value) for name, value in re.findall(r"(?m)^(\w+) = ([-+.\deE]+|-?nan|-?inf)$", output)}
+
+
+def write(path, rows):
+    """Write rows into a CSV file, whose folder is made."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows(rows)
+
+
+def show(rows):
+    """Print rows of texts, the first one with the heads, as a table in Markdown."""
+    heads, *lines = ("| " + " | ".join(row) + " |" for row in rows)
+    print(heads, "|---"*len(rows[0]) + "|", *lines, sep="\n", flush=True)
