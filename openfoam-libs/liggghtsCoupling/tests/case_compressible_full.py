@@ -1,7 +1,8 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The full void-fraction equations of a gas: fixed beds, and mass, momentum and energy of a crowd in a closed box."""
+"""The full void-fraction equations of a gas: mass, momentum and energy of a crowd of grains in a closed box. For fixed
+beds see case_compressible_bed.py."""
 # processors: 2
 # label: long
 
@@ -15,75 +16,6 @@ from gas_box import SOLVERS, field, field_sum, kinetic
 from grainjet import coupled_box as box
 
 FULL = box.void_fraction("full")
-RHO, NU = 1.2, 1.5e-5
-
-# A bed as that of case_fixed_bed.py: a cubic lattice, out of step with the cells
-CELL, ACROSS, ALONG = 4e-3, 2, 40       # cubes
-BED, MIDDLE = range(5, 35), (17, 22)    # layers of cells
-SPACING, OFFSET = CELL / 2, (0.13, 0.21, 0.29)
-
-
-class Bed:
-    """A bed of solid fraction alpha, crossed at the Reynolds number U d/nu."""
-
-    def __init__(self, alpha, reynolds):
-        self.diameter = SPACING * (6 * alpha / numpy.pi) ** (1 / 3)
-        self.velocity = u = reynolds * NU / self.diameter
-        viscous, inertial = 150 * RHO * NU * alpha ** 2 * u / self.diameter ** 2, 1.75 * RHO * alpha * u ** 2 / self.diameter
-        # Pa/m, Ergun, Chem. Eng. Prog. 48 (1952) 89
-        self.ergun = (viscous + inertial) / (1 - alpha) ** 3
-        rate = (viscous / (1 - alpha) + inertial) / (1 - alpha) / (RHO * u)
-        self.time_step = float(f"{min(0.2 * CELL / u, 0.5 / rate):.6g}")
-
-
-class GasBed(gas_box.GasCase):
-
-    def drop(self, bed, ranks=0, steps=100, correctors=6, **options):
-        """Measured - dp/dz in the middle of the bed, Pa/m, and the largest difference between the mass that crosses
-        a layer and what enters, relative."""
-        dt = bed.time_step
-        across = range(2 * ACROSS)
-        positions = [[(n + 0.5 + shift) * SPACING for n, shift in zip((i, j, k), OFFSET)]
-                     for k in range(2 * BED.start, 2 * BED.stop) for j in across for i in across]
-        width, length = ACROSS * CELL, ALONG * CELL
-        folder = self.run_gas(
-            ranks, steps=steps, grains=(positions, [(0, 0, 0)] * len(positions)), boundary="p p f", density=1e11,
-            diameter=bed.diameter, box_of_grains=f"0 {width} 0 {width} 0 {length}", dem_step=dt / 10, delta_t=dt,
-            velocity=f"(0 0 {bed.velocity!r})", mu=RHO * NU, through=True, convection="upwind",
-            cells=f"{ACROSS} {ACROSS} {ALONG}", size=[1e3 * CELL * n for n in (ACROSS, ACROSS, ALONG)],
-            gas="rhoConst", gas_density=RHO, correctors=f"nOuterCorrectors 1; nCorrectors {correctors};",
-            processors="processors 1 1 2" if ranks else "", options={"voidFraction": FULL, "drag": "Ergun",
-                                                                     "forces": "(pressureGradient)", **options})
-        end = max((f.parent for f in folder.glob("*/voidFraction")), key=lambda f: float(f.name))
-        layers = {name: field(end / name).reshape(ALONG, ACROSS ** 2, -1).mean(1)[:, 0] for name in ("p", "voidFraction")}
-        low, high = MIDDLE
-        entering = RHO * bed.velocity * CELL ** 2
-        phi = field(end / "phi")
-        # the faces between layers carry all of the mean flow
-        through = phi[abs(phi) > 0.5 * entering]
-        self.assertEqual(len(through), ACROSS ** 2 * (ALONG - 1))
-        e = layers["voidFraction"]
-        of_layer = numpy.repeat((e[1:] + e[:-1]) / 2, ACROSS ** 2)
-        flux = abs(numpy.sort(through) / entering - numpy.sort(1 / of_layer)).max()
-        return (layers["p"][low] - layers["p"][high]) / (CELL * (high - low)), flux
-
-    def test_ergun(self):
-        """Ergun's pressure drop in the middle, within 0.5 %, of a gas of constant density, from dense to dilute; the
-        mass through each layer is what enters."""
-        for alpha, reynolds in ((0.6, 17), (0.6, 1000), (0.3, 17), (0.3, 1000), (0.1, 17), (0.1, 1000)):
-            with self.subTest(alpha=alpha, reynolds=reynolds):
-                bed = Bed(alpha, reynolds)
-                slope, flux = self.drop(bed, steps=120 if alpha > 0.5 else 60)
-                print(f"alpha_s {alpha} Re {reynolds}: measured/Ergun - 1 = {slope / bed.ergun - 1:.1e}, flux {flux:.1e}")
-                self.assertLess(abs(slope / bed.ergun - 1), 5e-3)
-                self.assertLess(flux, 1e-6)
-
-    def test_ranks(self):
-        """Serial and 2 ranks, whose cut lies in the middle of the bed, to the solvers' tolerance."""
-        bed = Bed(0.6, 17)
-        serial, parallel = (self.drop(bed, ranks, steps=20)[0] for ranks in (0, 2))
-        self.assertLess(abs(parallel / serial - 1), 1e-9)
-
 
 class GasCrowd(gas_box.GasCase):
 

