@@ -218,7 +218,7 @@ Foam::voidFractionEquations::voidFractionEquations
     smoothing_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {
-    checkConvection(fluid);
+    checkConvection(fluid, fluid.UName());
     fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
 }
 
