@@ -267,6 +267,7 @@ void Foam::compressibleVoidFraction::addSup(fvMatrix<vector>& eqn) const
     const surfaceScalarField& phi = fluid_.phi();
     const volScalarField::Internal share(1/voidFraction_.internalField());
     voidDensity_ == voidFraction_*rho;
+    keepViscosity();
 
     // The solver's inertia out, that of the gas between the grains in
     eqn += inertia(phi);

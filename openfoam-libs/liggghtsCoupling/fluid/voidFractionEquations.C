@@ -278,6 +278,7 @@ void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
     );
     eqn += share*inertiaOfSolids().internalField();
 
+    keepViscosity();
     volVectorField difference("velocityDifference", fluidVelocity_);
     setFluidVelocity(difference);
     difference -= U;

@@ -29,13 +29,33 @@ Foam::tmp<Foam::volScalarField> Foam::voidFractionEquations::effectiveViscosity(
 }
 
 
+void Foam::voidFractionEquations::keepViscosity() const
+{
+    tmp<volScalarField> tviscosity(effectiveViscosity());
+    if (viscosity_)
+    {
+        *viscosity_ == tviscosity;
+        return;
+    }
+    const fvMesh& mesh = fluid_.mesh();
+    const IOobject header
+    (
+        tviscosity().name(), mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false
+    );
+    viscosity_.reset(new volScalarField(header, tviscosity));
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
 (
     const volVectorField& velocity
 ) const
 {
     const word& name = fluid_.UName();
-    const tmp<volScalarField> tviscosity(effectiveViscosity());
+    const tmp<volScalarField> tviscosity
+    (
+        viscosity_ ? tmp<volScalarField>(*viscosity_) : effectiveViscosity()
+    );
     const tmp<volTensorField> tgradient
     (
         // Not from the cache, where the gradient of U has this name

@@ -13,9 +13,10 @@ import numpy
 import gas_box
 from crowded_box import CELL_VOLUME, crowd, values
 from gas_box import SOLVERS, field, field_sum, kinetic
-from grainjet import coupled_box as box
+from grainjet import coupled_box as box, dictionaries
 
 FULL = box.void_fraction("full")
+
 
 class GasCrowd(gas_box.GasCase):
 
@@ -57,6 +58,18 @@ class GasCrowd(gas_box.GasCase):
                 self.assertLess(momentum, 1e-9)
                 self.assertLess(joule, 1e-6)
 
+    def test_consistent_and_turbulent(self):
+        """The same with SIMPLEC, and with models of turbulence."""
+        libs = '("libliggghtsCoupling.so" "libjetTurbulenceModels.so")'
+        for more in ({"consistent": True}, {"consistent": True, "transonic": True, "energy": "h"},
+                     {"turbulence": "kEpsilon", "epsilon": 100.0}, {"turbulence": "jetKEpsilon", "epsilon": 100.0, "libs": libs}):
+            with self.subTest(**more):
+                mass, momentum, joule = self.balances(**more)
+                print(f"{more}: mass {mass:.1e}, momentum {momentum:.1e}, energy {joule:.1e}")
+                self.assertLess(mass, 1e-12)
+                self.assertLess(momentum, 1e-9)
+                self.assertLess(joule, 1e-6)
+
     def test_ranks_and_restart(self):
         """1 and 2 ranks; a run that is stopped and continued."""
         x, v = crowd(1500, height=0.019)
@@ -94,6 +107,39 @@ class GasCrowd(gas_box.GasCase):
         for name in ("U", "p", "T", "phi"):
             a, b = ((f / "0.0003" / name).read_bytes() for f in (alone, coupled))
             self.assertEqual(a, b, name)
+
+    def test_refused(self):
+        """By one error, which names what to change, before the first momentum equation."""
+        def change(*pair):
+            return lambda folder: dictionaries.change(folder / "system/fvSchemes", pair)
+
+        for more, options, spoil, words in (
+                ({}, {"formulation": "SetII"}, None, ("formulation SetII with equations full", "Set formulation SetI")),
+                ({"time_scheme": "backward"}, {}, None, ("ddtSchemes", "default backward", "Set Euler")),
+                ({"time_scheme": "CrankNicolson 0.9"}, {}, None, ("ddtSchemes", "default CrankNicolson", "Set Euler")),
+                ({}, {}, change("default Euler", "default Euler; ddt(rho,U) bounded Euler"), ("ddt(rho,U) bounded", "Set Euler")),
+                ({}, {}, change("divSchemes {", "divSchemes { div(phi,e) bounded Gauss upwind;"), ("div(phi,e) is bounded",)),
+                ({}, {}, change("divSchemes {", "divSchemes { div(phi,K) bounded Gauss upwind;"), ("div(phi,K) is bounded",)),
+                ({"turbulence": "kEpsilon"}, {}, change("divSchemes {", "divSchemes { div(phi,k) bounded Gauss upwind;"),
+                 ("div(phi,k) is bounded",)),
+                ({"turbulence": "LRR"}, {}, None, ("LRR", "Reynolds stress", "equations neglected"))):
+            with self.subTest(words=words):
+                folder = self.new_folder()
+                gas_box.write(folder, **more)
+                if more.get("turbulence") == "LRR":
+                    dictionaries.write(folder / "0/R", "dimensions [0 2 -2 0 0 0 0]; internalField uniform (0.6 0 0 0.6 0 0.6);\n"
+                                       'boundaryField { ".*" { type cyclic; } }\n', "volSymmTensorField")
+                if spoil:
+                    spoil(folder)
+                box.script(folder, grains=box.grains(*box.swarm(3, 1)))
+                box.fv_options(folder, **{"voidFraction": FULL, **options})
+                for tool in ("blockMesh", "decomposePar"):
+                    self.foam(tool, folder)
+                for ranks in (0, 2):
+                    result = self.foam("rhoPimpleFoam", folder, ranks, check=False)
+                    self.assertFails(result, *words)
+                    self.assertNotRegex(result.output, box.SOLVED)
+                    self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
 
 
 if __name__ == "__main__":
