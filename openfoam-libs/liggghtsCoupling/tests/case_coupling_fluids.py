@@ -159,7 +159,7 @@ class Fluids(bad_case.BadCase):
     def test_once_for_all_ranks(self):
         """What each rank finds out by itself is printed by one of them."""
         for change, words, solver in (
-                (lambda f: self.change(f, "system/fvSchemes", ("default Euler", "default localEuler")), ("ddtSchemes",), "pimpleFoam"),
+                (lambda f: self.change(f, "system/fvSchemes", ("default Euler", "default localEuler")), ("has no time that all cells", "ddtSchemes"), "pimpleFoam"),
                 (lambda f: self.solution(f, "SIMPLE"), ("is a steady solver",), "simpleFoam"),
                 (lambda f: box.fv_options(f, fluid="VOF"), ("does not fit", "phase fraction"), "pimpleFoam"),
                 (lambda f: self.put(f, "constant/dynamicMeshDict", "dynamicFvMesh dynamicRefineFvMesh; correctFluxes ((phi none)); "
