@@ -61,6 +61,20 @@ void Foam::compressibleVoidFraction::checkCase() const
 Foam::wordList Foam::compressibleVoidFraction::transported(const fvMesh& mesh)
 {
     wordList fields;
+    const auto* model = mesh.cfindObject<turbulenceModel>(turbulenceModel::propertiesName);
+    if (!model)
+    {
+        return fields;
+    }
+
+    // A frozen model (RAS { turbulence off; }) solves for nothing
+    for (const word& kind : {word("RAS"), word("LES")})
+    {
+        if (!model->subOrEmptyDict(kind).lookupOrDefault<Switch>("turbulence", true))
+        {
+            return fields;
+        }
+    }
     for
     (
         const word& name :

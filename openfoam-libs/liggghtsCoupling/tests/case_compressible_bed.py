@@ -101,7 +101,8 @@ class GasBed(gas_box.GasCase):
 
     def assertErgun(self, bed, **more):
         slope, flux = self.drop(bed, **more)
-        print(f"alpha_s {bed.alpha} Re {bed.velocity * bed.diameter / NU:.3g} {more}: measured/Ergun - 1 = {slope / bed.ergun(bed.velocity) - 1:.1e}, flux {flux:.1e}")
+        print(f"alpha_s {bed.alpha} Re {bed.velocity * bed.diameter / NU:.3g} {more}: "
+              f"measured/Ergun - 1 = {slope / bed.ergun(bed.velocity) - 1:.1e}, flux {flux:.1e}")
         self.assertLess(abs(slope / bed.ergun(bed.velocity) - 1), 5e-3)
         self.assertLess(flux, 1e-6)
 

@@ -62,7 +62,8 @@ class GasCrowd(gas_box.GasCase):
         """The same with SIMPLEC, and with models of turbulence."""
         libs = '("libliggghtsCoupling.so" "libjetTurbulenceModels.so")'
         for more in ({"consistent": True}, {"consistent": True, "transonic": True, "energy": "h"},
-                     {"turbulence": "kEpsilon", "epsilon": 100.0}, {"turbulence": "jetKEpsilon", "epsilon": 100.0, "libs": libs}):
+                     {"turbulence": "kEpsilon", "epsilon": 100.0},
+                     {"solver": "sonicFoam", "turbulence": "kEpsilon", "epsilon": 100.0}, {"turbulence": "jetKEpsilon", "epsilon": 100.0, "libs": libs}):
             with self.subTest(**more):
                 mass, momentum, joule = self.balances(**more)
                 print(f"{more}: mass {mass:.1e}, momentum {momentum:.1e}, energy {joule:.1e}")
@@ -72,19 +73,21 @@ class GasCrowd(gas_box.GasCase):
 
     def test_ranks_and_restart(self):
         """1 and 2 ranks; a run that is stopped and continued."""
-        x, v = crowd(1500, height=0.019)
-        case = {"grains": (x, [[8 * a for a in row] for row in v]), "diameter": 1e-3, "write_every": 3,
-                "correctors": "nOuterCorrectors 3; nCorrectors 3;", "options": {"voidFraction": FULL}}
-        serial, parallel = (self.run_gas(ranks, steps=6, **case) for ranks in (0, 2))
-        self.compare(serial, parallel, "0.0006", 1e-9)
-        parts = self.run_gas(steps=3, **case)
-        box.end_at(parts, 6)
-        self.foam("rhoPimpleFoam", parts)
-        for name in ("U", "p", "T", "particleMomentumSource", "particleEnergySource"):
-            a, b = (field(run / "0.0006" / name) for run in (serial, parts))
-            print(f"{name}: restart {abs(a - b).max() / abs(a).max():.1e}")
-            self.assertLess(abs(a - b).max(), 1e-9 * abs(a).max(), name)
-        self.assertLess(max(box.read_balance(parts, "0.0003")["energyImbalance"]), 1e-10)
+        for more in ({}, {"turbulence": "kEpsilon", "epsilon": 100.0}):
+            with self.subTest(**more):
+                x, v = crowd(1500, height=0.019)
+                case = {"grains": (x, [[8 * a for a in row] for row in v]), "diameter": 1e-3, "write_every": 3,
+                        "correctors": "nOuterCorrectors 3; nCorrectors 3;", "options": {"voidFraction": FULL}, **more}
+                serial, parallel = (self.run_gas(ranks, steps=6, **case) for ranks in (0, 2))
+                self.compare(serial, parallel, "0.0006", 1e-9)
+                parts = self.run_gas(steps=3, **case)
+                box.end_at(parts, 6)
+                self.foam("rhoPimpleFoam", parts)
+                for name in ("U", "p", "T", "particleMomentumSource", "particleEnergySource"):
+                    a, b = (field(run / "0.0006" / name) for run in (serial, parts))
+                    print(f"{name}: restart {abs(a - b).max() / abs(a).max():.1e}")
+                    self.assertLess(abs(a - b).max(), 1e-9 * abs(a).max(), name)
+                self.assertLess(max(box.read_balance(parts, "0.0003")["energyImbalance"]), 1e-10)
 
     def test_uniform_motion(self):
         """Gas and grains that move alike keep moving alike, whatever the void fraction, and the pressure stays: what is
@@ -107,6 +110,12 @@ class GasCrowd(gas_box.GasCase):
         for name in ("U", "p", "T", "phi"):
             a, b = ((f / "0.0003" / name).read_bytes() for f in (alone, coupled))
             self.assertEqual(a, b, name)
+
+    def test_frozen_model(self):
+        """A turbulence model that is switched off has no equations: no warning of sources that are never used."""
+        x, v = crowd(500)
+        self.run_gas(steps=3, turbulence="kEpsilon", frozen=True, diameter=1e-3, grains=(x, v), options={"voidFraction": FULL})
+        self.assertNotIn("never used", self.result.output)
 
     def test_refused(self):
         """By one error, which names what to change, before the first momentum equation."""

@@ -31,7 +31,7 @@ def heat_capacity(energy):
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
           tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, consistent=False, time_scheme="Euler",
-          turbulence=None, coefficients="", k=1.0, epsilon=1.0, **fluid):
+          turbulence=None, frozen=False, coefficients="", k=1.0, epsilon=1.0, **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
     and temperature, and leaves at zhi at the given pressure. Turbulence: a RAS model with k and epsilon, which have these
     values at the beginning and at zlo, and its coefficients."""
@@ -80,7 +80,7 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
     dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", T0, f'".*" {{ {other} }} {warm if through else ""}')
     if turbulence:
         dictionaries.write(folder / "constant/turbulenceProperties",
-                           f"simulationType RAS; RAS {{ RASModel {turbulence}; turbulence on; printCoeffs off; "
+                           f"simulationType RAS; RAS {{ RASModel {turbulence}; turbulence {'off' if frozen else 'on'}; printCoeffs off; "
                            f"{turbulence}Coeffs {{ {coefficients} }} }}")
         for name, value, dimensions in (("k", k, "0 2 -2"), ("epsilon", epsilon, "0 2 -3"), ("nut", 0, "0 2 -1"), ("alphat", 0, "1 -1 -1")):
             at_inlet = "type calculated; value uniform 0;" if value == 0 else f"type fixedValue; value uniform {value!r};"
