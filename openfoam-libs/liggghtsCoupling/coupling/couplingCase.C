@@ -37,11 +37,17 @@ void Foam::couplingCase::checkMesh() const
 
     if (!fixedMeshes.found(type) || mesh_.changing())
     {
-        FatalIOErrorInFunction(dict_)
-            << "The mesh is a " << type << " (entry dynamicFvMesh of "
-            << mesh_.time().constant() << "/dynamicMeshDict), but liggghtsCoupling needs"
-            << " a mesh that does not move or change. Remove that file, or set"
-            << " dynamicFvMesh to staticFvMesh" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "The mesh is a " << type << " (entry dynamicFvMesh of "
+                    << mesh_.time().constant() << "/dynamicMeshDict), but liggghtsCoupling needs"
+                    << " a mesh that does not move or change. Remove that file, or set"
+                    << " dynamicFvMesh to staticFvMesh" << exit(FatalIOError);
+            }
+        );
     }
 }
 

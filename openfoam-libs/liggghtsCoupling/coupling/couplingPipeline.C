@@ -267,6 +267,15 @@ void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn)
 }
 
 
+void Foam::couplingPipeline::addTransportSup(fvMatrix<scalar>& eqn) const
+{
+    if (gas_)
+    {
+        gas_->addTransportSup(eqn);
+    }
+}
+
+
 void Foam::couplingPipeline::addContinuitySup(fvMatrix<scalar>& eqn) const
 {
     gas_->addContinuitySup(eqn);

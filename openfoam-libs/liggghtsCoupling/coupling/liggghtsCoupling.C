@@ -86,22 +86,29 @@ void Foam::fv::liggghtsCoupling::checkSources() const
         {
             continue;
         }
-        if (fieldNames_[i] == energy_ || fieldNames_[i] == continuity_)
-        {
-            FatalIOErrorInFunction(coeffs_)
-                << "The solver has " << fieldNames_[i] << ", but has not asked for sources of its equation,"
-                << " so the gas would not get what grains give to it. Take rhoPimpleFoam or sonicFoam, or"
-                << " set coupling oneWay" << exit(FatalIOError);
-        }
-        else
-        {
-            FatalIOErrorInEntry(coeffs_, "turbulenceSources")
-                << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
-                << fluid_->model()->type() << " has not asked for the sources of "
-                << fieldNames_[i] << ", so they would have no effect. Set"
-                << " turbulenceSources to none, or change the model"
-                << exit(FatalIOError);
-        }
+        const word& name = fieldNames_[i];
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                if (name == energy_ || name == continuity_)
+                {
+                    FatalIOErrorInFunction(coeffs_)
+                        << "The solver has " << name << ", but has not asked for sources of its equation,"
+                        << " so the gas would not get what grains give to it. Take rhoPimpleFoam or"
+                        << " sonicFoam, or set coupling oneWay" << exit(FatalIOError);
+                }
+                else if (turbulence_ && turbulence_->fields().found(name))
+                {
+                    FatalIOErrorInEntry(coeffs_, "turbulenceSources")
+                        << "turbulenceSources " << turbulence_->type() << ": the turbulence model "
+                        << fluid_->model()->type() << " has not asked for the sources of "
+                        << name << ", so they would have no effect. Set"
+                        << " turbulenceSources to none, or change the model"
+                        << exit(FatalIOError);
+                }
+            }
+        );
     }
 }
 
@@ -140,10 +147,14 @@ void Foam::fv::liggghtsCoupling::addTurbulence
     const scalarField& coefficient
 ) const
 {
-    turbulence_->addSup
-    (
-        eqn, fieldNames_[fieldi], coefficient, pipeline_->momentum().responseTime()
-    );
+    if (turbulence_ && turbulence_->fields().found(fieldNames_[fieldi]))
+    {
+        turbulence_->addSup
+        (
+            eqn, fieldNames_[fieldi], coefficient, pipeline_->momentum().responseTime()
+        );
+    }
+    pipeline_->addTransportSup(eqn);
 }
 
 
@@ -184,6 +195,13 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     if (!continuity_.empty())
     {
         fieldNames_.append(continuity_);
+        for (const word& name : compressibleVoidFraction::transported(mesh))
+        {
+            if (!fieldNames_.found(name))
+            {
+                fieldNames_.append(name);
+            }
+        }
     }
     applied_.setSize(fieldNames_.size(), false);
     fluidKinds::watch(mesh);
@@ -271,10 +289,16 @@ void Foam::fv::liggghtsCoupling::addSup
     }
     if (!pipeline_ || timeIndex_ != mesh_.time().timeIndex())
     {
-        FatalIOErrorInFunction(coeffs_)
-            << "The solver asks for sources of " << energy_ << " before those of its momentum equation."
-            << " liggghtsCoupling needs a solver that begins a step with momentum, such as rhoPimpleFoam"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(coeffs_)
+                    << "The solver asks for sources of " << energy_ << " before those of its momentum"
+                    << " equation. liggghtsCoupling needs a solver that begins a step with momentum, such as"
+                    << " rhoPimpleFoam" << exit(FatalIOError);
+            }
+        );
     }
     pipeline_->addEnergySup(eqn);
 }
@@ -290,10 +314,16 @@ Foam::label Foam::fv::liggghtsCoupling::applyToField(const word& fieldName) cons
         fieldi < 0 && !applied_[0] && field && field->dimensions() == dimVelocity
     )
     {
-        FatalIOErrorInEntry(coeffs_, "U")
-            << "U " << fieldNames_[0] << ": the solver's momentum equation is for "
-            << fieldName << ", so the grains would never move. Set U to " << fieldName
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(coeffs_, "U")
+                    << "U " << fieldNames_[0] << ": the solver's momentum equation is for "
+                    << fieldName << ", so the grains would never move. Set U to " << fieldName
+                    << exit(FatalIOError);
+            }
+        );
     }
     return fieldi;
 }

@@ -6,6 +6,7 @@
 
 #include "buoyantCompressibleFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
 #include "entryError.H"
 #include "fluidKinds.H"
 #include "voidFractionEquations.H"
@@ -56,10 +57,16 @@ void Foam::buoyantCompressibleFluid::check() const
 {
     if (voidFractionEquations::full(dict_))
     {
-        FatalIOErrorInEntry(dict_.subDict("voidFraction"), "equations")
-            << "equations full is not there for a compressible fluid with gravity, which "
-            << fluidKinds::solver().c_str() << " has. Set equations neglected, or take rhoPimpleFoam"
-            << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(dict_.subDict("voidFraction"), "equations")
+                    << "equations full is not there for a compressible fluid with gravity, which "
+                    << fluidKinds::solver().c_str() << " has. Set equations neglected, or take rhoPimpleFoam"
+                    << exit(FatalIOError);
+            }
+        );
     }
     checkSolver();
 }

@@ -57,12 +57,18 @@ bool isMassFlux(const surfaceScalarField* phi)
 void Foam::compressibleFluid::refuse(const string& reason) const
 {
     const string solver(Foam::getEnv("FOAM_EXECUTABLE"));
-    FatalIOErrorInFunction(dict_)
-        << (solver.empty() ? "This solver" : solver.c_str()) << ' ' << reason.c_str()
-        << ".\n    fluid " << type() << " is for solvers for one compressible fluid that march in time:"
-        << " rhoPimpleFoam and sonicFoam. They have read constant/" << thermoName
-        << ", and have the fields " << UName_ << ", " << pName_ << ", " << rhoName
-        << " and the flux of mass " << phiName << exit(FatalIOError);
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            FatalIOErrorInFunction(dict_)
+                << (solver.empty() ? "This solver" : solver.c_str()) << ' ' << reason.c_str()
+                << ".\n    fluid " << type() << " is for solvers for one compressible fluid that march in"
+                << " time: rhoPimpleFoam and sonicFoam. They have read constant/" << thermoName
+                << ", and have the fields " << UName_ << ", " << pName_ << ", " << rhoName
+                << " and the flux of mass " << phiName << exit(FatalIOError);
+        }
+    );
 }
 
 

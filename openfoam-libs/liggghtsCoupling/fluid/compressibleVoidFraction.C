@@ -7,8 +7,10 @@
 #include "compressibleVoidFraction.H"
 #include "ddtScheme.H"
 #include "energyExchange.H"
+#include "fvcDdt.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmDiv.H"
+#include "fvmSup.H"
 #include "fvMatrices.H"
 #include "linear.H"
 
@@ -221,6 +223,7 @@ Foam::compressibleVoidFraction::compressibleVoidFraction
     startRho_(fluid.mesh().nCells(), Zero),
     mass_(0)
 {
+    checkCase();
     voidDensity_.oldTime();
 }
 
@@ -264,6 +267,7 @@ void Foam::compressibleVoidFraction::addSup(fvMatrix<vector>& eqn) const
     const surfaceScalarField& phi = fluid_.phi();
     const volScalarField::Internal share(1/voidFraction_.internalField());
     voidDensity_ == voidFraction_*rho;
+    keepViscosity();
 
     // The solver's inertia out, that of the gas between the grains in
     eqn += inertia(phi);
@@ -310,6 +314,23 @@ void Foam::compressibleVoidFraction::addContinuitySup(fvMatrix<scalar>& eqn) con
               + (gained(celli) - tofGas()[celli])/e[celli];
         }
     }
+}
+
+
+void Foam::compressibleVoidFraction::addTransportSup(fvMatrix<scalar>& eqn) const
+{
+    const volScalarField& rho = *fluid_.equationRho();
+    const boolList playing(plays());
+    const tmp<volScalarField> trate(fvc::ddt(rho) + fvc::surfaceIntegrate(fluid_.phi()));
+    volScalarField::Internal gain(trate().internalField());
+    forAll(playing, celli)
+    {
+        if (!playing[celli])
+        {
+            gain[celli] = 0;
+        }
+    }
+    eqn += fvm::Sp(gain, eqn.psi());
 }
 
 

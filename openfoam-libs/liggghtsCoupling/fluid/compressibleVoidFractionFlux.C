@@ -58,7 +58,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::compressibleVoidFraction::coming
         ofFaces ? tmp<surfaceScalarField>(*ofFaces) : linearInterpolate(*ofCells)
     );
     const tmp<surfaceScalarField> tef(faceVoidFraction());
-    const word ofLaplacian("laplacian(rhorAUf," + p.name() + ')');
+    const word ofLaplacian
+    (
+        "laplacian(" + (ofFaces ? ofFaces->name() : ofCells->name()) + ',' + p.name() + ')'
+    );
     const word ofConvection("div(phid," + p.name() + ')');
 
     volScalarField q("pressureOfGas", p);

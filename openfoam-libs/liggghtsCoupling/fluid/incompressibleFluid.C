@@ -57,9 +57,15 @@ scalar readValue(const dictionary& properties)
 
     if (!wrong.empty())
     {
-        FatalIOErrorInEntry(properties, "rho")
-            << "rho, the density of the fluid, cannot be read: " << wrong.c_str()
-            << "    Write, for air, rho [1 -3 0 0 0 0 0] 1.2;" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(properties, "rho")
+                    << "rho, the density of the fluid, cannot be read: " << wrong.c_str()
+                    << "    Write, for air, rho [1 -3 0 0 0 0 0] 1.2;" << exit(FatalIOError);
+            }
+        );
     }
     return value;
 }

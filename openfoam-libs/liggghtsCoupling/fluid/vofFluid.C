@@ -14,7 +14,6 @@
 #include "IOdictionary.H"
 #include "surfaceInterpolate.H"
 #include "surfaceTensionModel.H"
-#include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -164,23 +163,6 @@ void Foam::vofFluid::keepStress() const
 {
     // Without old times a field has no time of its own
     pressure_.p_rgh().oldTime();
-
-    // Its own old time is of a subcycle of the surface
-    keptNu_ = tmp<volScalarField>::New("keptNu", nu());
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::vofFluid::viscosityOfStress() const
-{
-    if (!keptNu_.valid())
-    {
-        return effectiveViscosity();
-    }
-    return tmp<volScalarField>::New
-    (
-        '(' + equationRho()->name() + "*nuEff)",
-        pressure_.ofSameTime(*equationRho())*(model()->nut() + keptNu_())
-    );
 }
 
 

@@ -32,14 +32,18 @@ bool hasPressureGradient(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::voidFractionEquations::checkConvection(const carrierFluid& fluid)
+void Foam::voidFractionEquations::checkConvection
+(
+    const carrierFluid& fluid,
+    const word& field
+)
 {
     // A bounded scheme takes the divergence of the flux out of the equation. That of the fluid between the grains
-    // is the rate at which their shares change, with the momentum that belongs to it
+    // is the rate at which their shares change, with what belongs to it of the field
     const dictionary schemes(fluid.mesh().schemesDict().subOrEmptyDict("divSchemes"));
     const word convection
     (
-        "div(" + fluid.momentumFlux().name() + ',' + fluid.UName() + ')'
+        "div(" + fluid.momentumFlux().name() + ',' + field + ')'
     );
     for (const word& key : {convection, word("default")})
     {
@@ -56,8 +60,9 @@ void Foam::voidFractionEquations::checkConvection(const carrierFluid& fluid)
                 {
                     FatalIOErrorInEntry(schemes, key)
                         << "divSchemes: " << convection << " is bounded, with which equations full"
-                        << " would not keep the momentum of fluid and grains. Take the same scheme"
-                        << " without the word bounded" << exit(FatalIOError);
+                        << " would not keep the " << (field == fluid.UName() ? "momentum" : field.c_str())
+                        << " of fluid and grains. Take the same scheme without the word bounded"
+                        << exit(FatalIOError);
                 }
             );
         }

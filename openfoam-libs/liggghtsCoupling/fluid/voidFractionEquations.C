@@ -246,7 +246,7 @@ Foam::voidFractionEquations::voidFractionEquations
     smoothing_(fluid.mesh().nCells(), Zero),
     dt_(0)
 {
-    checkConvection(fluid);
+    checkConvection(fluid, fluid.UName());
     fluid.setFluidBetweenGrains(fluidVelocity_, voidFraction_, feltGradP_, feltDivTau_);
 }
 
@@ -308,10 +308,11 @@ void Foam::voidFractionEquations::addSup(fvMatrix<vector>& eqn) const
     );
     eqn += share*inertiaOfSolids().internalField();
 
+    keepViscosity();
     volVectorField difference("velocityDifference", fluidVelocity_);
     setFluidVelocity(difference);
     difference -= U;
-    const tmp<volVectorField> tviscous(viscousStress(difference, fluid_.effectiveViscosity()));
+    const tmp<volVectorField> tviscous(viscousStress(difference));
     eqn += tviscous().internalField();
 
     // Of the present U so far. What a new one adds is implicit, or large viscosities would not be stable

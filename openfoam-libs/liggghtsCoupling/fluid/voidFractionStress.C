@@ -17,13 +17,33 @@ Description
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+void Foam::voidFractionEquations::keepViscosity() const
+{
+    tmp<volScalarField> tviscosity(fluid_.effectiveViscosity());
+    if (viscosity_)
+    {
+        *viscosity_ == tviscosity;
+        return;
+    }
+    const fvMesh& mesh = fluid_.mesh();
+    const IOobject header
+    (
+        tviscosity().name(), mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false
+    );
+    viscosity_.reset(new volScalarField(header, tviscosity));
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::voidFractionEquations::viscousStress
 (
-    const volVectorField& velocity,
-    const tmp<volScalarField>& tviscosity
+    const volVectorField& velocity
 ) const
 {
     const word& name = fluid_.UName();
+    const tmp<volScalarField> tviscosity
+    (
+        viscosity_ ? tmp<volScalarField>(*viscosity_) : fluid_.effectiveViscosity()
+    );
     const tmp<volTensorField> tgradient
     (
         // Not from the cache, where the gradient of U has this name
@@ -101,7 +121,7 @@ Foam::tmp<Foam::fvMatrix<Foam::vector>> Foam::voidFractionEquations::viscousChan
 
 Foam::tmp<Foam::vectorField> Foam::voidFractionEquations::presentStress() const
 {
-    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_, fluid_.viscosityOfStress()));
+    const tmp<volVectorField> tviscous(viscousStress(fluidVelocity_));
     const tmp<volVectorField> tgradP(fluid_.gradP());
     tmp<vectorField> tstress(new vectorField(-tgradP().primitiveField()));
     vectorField& stress = tstress.ref();

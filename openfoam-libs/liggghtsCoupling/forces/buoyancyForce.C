@@ -31,10 +31,16 @@ Foam::buoyancyForce::buoyancyForce(const dictionary& dict, forceNeeds& needs)
     needs.nonReacting();
     if (fluid_.holdsHydrostatic())
     {
-        FatalIOErrorInFunction(dict)
-            << "forces: the pressure of this solver holds the hydrostatic part, so that"
-            << " pressureGradient holds buoyancy. Take buoyancy out, and use"
-            << " pressureGradient" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInFunction(dict)
+                    << "forces: the pressure of this solver holds the hydrostatic part, so that"
+                    << " pressureGradient holds buoyancy. Take buoyancy out, and use"
+                    << " pressureGradient" << exit(FatalIOError);
+            }
+        );
     }
 }
 

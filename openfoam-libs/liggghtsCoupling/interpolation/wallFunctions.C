@@ -69,20 +69,32 @@ void Foam::wallFunctions::find()
 
         if (isRough(patchNut.type()))
         {
-            FatalIOErrorInEntry(dict_, "wallLaw")
-                << "wallLaw knows the profile at smooth walls only, but " << nut.name()
-                << " on patch " << patch.name() << " is " << patchNut.type()
-                << ". Take a wall function for smooth walls there, such as nutkWallFunction,"
-                << " or remove wallLaw" << exit(FatalIOError);
+            couplingEntries::onMaster
+            (
+                [&]()
+                {
+                    FatalIOErrorInEntry(dict_, "wallLaw")
+                        << "wallLaw knows the profile at smooth walls only, but " << nut.name()
+                        << " on patch " << patch.name() << " is " << patchNut.type()
+                        << ". Take a wall function for smooth walls there, such as nutkWallFunction,"
+                        << " or remove wallLaw" << exit(FatalIOError);
+                }
+            );
         }
         if (patches_.size() && (function->kappa() != kappa_ || function->E() != E_))
         {
-            FatalIOErrorInEntry(dict_, "wallLaw")
-                << "wallLaw needs the same constants on all walls, but " << nut.name()
-                << " has kappa " << function->kappa() << ", E " << function->E()
-                << " on patch " << patch.name() << " and kappa " << kappa_ << ", E " << E_
-                << " on patch " << nut.mesh().boundary()[patches_[0]].name()
-                << ". Make them equal, or remove wallLaw" << exit(FatalIOError);
+            couplingEntries::onMaster
+            (
+                [&]()
+                {
+                    FatalIOErrorInEntry(dict_, "wallLaw")
+                        << "wallLaw needs the same constants on all walls, but " << nut.name()
+                        << " has kappa " << function->kappa() << ", E " << function->E()
+                        << " on patch " << patch.name() << " and kappa " << kappa_ << ", E " << E_
+                        << " on patch " << nut.mesh().boundary()[patches_[0]].name()
+                        << ". Make them equal, or remove wallLaw" << exit(FatalIOError);
+                }
+            );
         }
         patches_.append(patch.index());
         kappa_ = function->kappa();
@@ -93,12 +105,18 @@ void Foam::wallFunctions::find()
 
     if (patches_.empty())
     {
-        FatalIOErrorInEntry(dict_, "wallLaw")
-            << "wallLaw yes, but no wall has a wall function for nut, so that there is no"
-            << " profile to rebuild. Walls, with their nut: " << flatOutput(walls)
-            << ".\n    If walls are resolved, remove wallLaw: interpolation cellPoint is right"
-            << " there. Else give nut a wall function, such as nutkWallFunction or"
-            << " nutUSpaldingWallFunction" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(dict_, "wallLaw")
+                    << "wallLaw yes, but no wall has a wall function for nut, so that there is no"
+                    << " profile to rebuild. Walls, with their nut: " << flatOutput(walls)
+                    << ".\n    If walls are resolved, remove wallLaw: interpolation cellPoint is right"
+                    << " there. Else give nut a wall function, such as nutkWallFunction or"
+                    << " nutUSpaldingWallFunction" << exit(FatalIOError);
+            }
+        );
     }
 }
 

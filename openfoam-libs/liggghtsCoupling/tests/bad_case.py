@@ -64,13 +64,15 @@ class BadCase(grainjet.Case):
 
     def assertRefused(self, folder, *words, solver="pimpleFoam", ranks=0, steps=False, at_reading=False):
         """The run ends with exit code 1 and an error that holds all words; before the solver has
-        solved for velocity or pressure, unless steps are allowed; at_reading: before the first time step."""
+        solved for velocity or pressure, unless steps are allowed; at_reading: before the first time step.
+        An error that several ranks find is printed once."""
         result = self.foam(solver, folder, ranks, check=False, timeout=60)
         if result.code != 1 or "FOAM FATAL" not in result.output:
             self.fail(f"not refused: exit code {result.code}\n{result.output[-1500:]}")
         message = result.output[result.output.index("FOAM FATAL"):]
         for word in words:
             self.assertIn(word, message)
+        self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
         if not steps:
             self.assertNotRegex(result.output, box.SOLVED)
         if at_reading:

@@ -1,7 +1,8 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The full void-fraction equations of a gas: fixed beds, and mass, momentum and energy of a crowd in a closed box."""
+"""The full void-fraction equations of a gas: mass, momentum and energy of a crowd of grains in a closed box. For fixed
+beds see case_compressible_bed.py."""
 # processors: 2
 # label: long
 
@@ -12,77 +13,9 @@ import numpy
 import gas_box
 from crowded_box import CELL_VOLUME, crowd, values
 from gas_box import SOLVERS, field, field_sum, kinetic
-from grainjet import coupled_box as box
+from grainjet import coupled_box as box, dictionaries
 
 FULL = box.void_fraction("full")
-RHO, NU = 1.2, 1.5e-5
-
-# A bed as that of case_fixed_bed.py: a cubic lattice, out of step with the cells
-CELL, ACROSS, ALONG = 4e-3, 2, 40       # cubes
-BED, MIDDLE = range(5, 35), (17, 22)    # layers of cells
-SPACING, OFFSET = CELL / 2, (0.13, 0.21, 0.29)
-
-
-class Bed:
-    """A bed of solid fraction alpha, crossed at the Reynolds number U d/nu."""
-
-    def __init__(self, alpha, reynolds):
-        self.diameter = SPACING * (6 * alpha / numpy.pi) ** (1 / 3)
-        self.velocity = u = reynolds * NU / self.diameter
-        viscous, inertial = 150 * RHO * NU * alpha ** 2 * u / self.diameter ** 2, 1.75 * RHO * alpha * u ** 2 / self.diameter
-        # Pa/m, Ergun, Chem. Eng. Prog. 48 (1952) 89
-        self.ergun = (viscous + inertial) / (1 - alpha) ** 3
-        rate = (viscous / (1 - alpha) + inertial) / (1 - alpha) / (RHO * u)
-        self.time_step = float(f"{min(0.2 * CELL / u, 0.5 / rate):.6g}")
-
-
-class GasBed(gas_box.GasCase):
-
-    def drop(self, bed, ranks=0, steps=100, correctors=6, **options):
-        """Measured - dp/dz in the middle of the bed, Pa/m, and the largest difference between the mass that crosses
-        a layer and what enters, relative."""
-        dt = bed.time_step
-        across = range(2 * ACROSS)
-        positions = [[(n + 0.5 + shift) * SPACING for n, shift in zip((i, j, k), OFFSET)]
-                     for k in range(2 * BED.start, 2 * BED.stop) for j in across for i in across]
-        width, length = ACROSS * CELL, ALONG * CELL
-        folder = self.run_gas(
-            ranks, steps=steps, grains=(positions, [(0, 0, 0)] * len(positions)), boundary="p p f", density=1e11,
-            diameter=bed.diameter, box_of_grains=f"0 {width} 0 {width} 0 {length}", dem_step=dt / 10, delta_t=dt,
-            velocity=f"(0 0 {bed.velocity!r})", mu=RHO * NU, through=True, convection="upwind",
-            cells=f"{ACROSS} {ACROSS} {ALONG}", size=[1e3 * CELL * n for n in (ACROSS, ACROSS, ALONG)],
-            gas="rhoConst", gas_density=RHO, correctors=f"nOuterCorrectors 1; nCorrectors {correctors};",
-            processors="processors 1 1 2" if ranks else "", options={"voidFraction": FULL, "drag": "Ergun",
-                                                                     "forces": "(pressureGradient)", **options})
-        end = max((f.parent for f in folder.glob("*/voidFraction")), key=lambda f: float(f.name))
-        layers = {name: field(end / name).reshape(ALONG, ACROSS ** 2, -1).mean(1)[:, 0] for name in ("p", "voidFraction")}
-        low, high = MIDDLE
-        entering = RHO * bed.velocity * CELL ** 2
-        phi = field(end / "phi")
-        # the faces between layers carry all of the mean flow
-        through = phi[abs(phi) > 0.5 * entering]
-        self.assertEqual(len(through), ACROSS ** 2 * (ALONG - 1))
-        e = layers["voidFraction"]
-        of_layer = numpy.repeat((e[1:] + e[:-1]) / 2, ACROSS ** 2)
-        flux = abs(numpy.sort(through) / entering - numpy.sort(1 / of_layer)).max()
-        return (layers["p"][low] - layers["p"][high]) / (CELL * (high - low)), flux
-
-    def test_ergun(self):
-        """Ergun's pressure drop in the middle, within 0.5 %, of a gas of constant density, from dense to dilute; the
-        mass through each layer is what enters."""
-        for alpha, reynolds in ((0.6, 17), (0.6, 1000), (0.3, 17), (0.3, 1000), (0.1, 17), (0.1, 1000)):
-            with self.subTest(alpha=alpha, reynolds=reynolds):
-                bed = Bed(alpha, reynolds)
-                slope, flux = self.drop(bed, steps=120 if alpha > 0.5 else 60)
-                print(f"alpha_s {alpha} Re {reynolds}: measured/Ergun - 1 = {slope / bed.ergun - 1:.1e}, flux {flux:.1e}")
-                self.assertLess(abs(slope / bed.ergun - 1), 5e-3)
-                self.assertLess(flux, 1e-6)
-
-    def test_ranks(self):
-        """Serial and 2 ranks, whose cut lies in the middle of the bed, to the solvers' tolerance."""
-        bed = Bed(0.6, 17)
-        serial, parallel = (self.drop(bed, ranks, steps=20)[0] for ranks in (0, 2))
-        self.assertLess(abs(parallel / serial - 1), 1e-9)
 
 
 class GasCrowd(gas_box.GasCase):
@@ -125,21 +58,36 @@ class GasCrowd(gas_box.GasCase):
                 self.assertLess(momentum, 1e-9)
                 self.assertLess(joule, 1e-6)
 
+    def test_consistent_and_turbulent(self):
+        """The same with SIMPLEC, and with models of turbulence."""
+        libs = '("libliggghtsCoupling.so" "libjetTurbulenceModels.so")'
+        for more in ({"consistent": True}, {"consistent": True, "transonic": True, "energy": "h"},
+                     {"turbulence": "kEpsilon", "epsilon": 100.0},
+                     {"solver": "sonicFoam", "turbulence": "kEpsilon", "epsilon": 100.0}, {"turbulence": "jetKEpsilon", "epsilon": 100.0, "libs": libs}):
+            with self.subTest(**more):
+                mass, momentum, joule = self.balances(**more)
+                print(f"{more}: mass {mass:.1e}, momentum {momentum:.1e}, energy {joule:.1e}")
+                self.assertLess(mass, 1e-12)
+                self.assertLess(momentum, 1e-9)
+                self.assertLess(joule, 1e-6)
+
     def test_ranks_and_restart(self):
         """1 and 2 ranks; a run that is stopped and continued."""
-        x, v = crowd(1500, height=0.019)
-        case = {"grains": (x, [[8 * a for a in row] for row in v]), "diameter": 1e-3, "write_every": 3,
-                "correctors": "nOuterCorrectors 3; nCorrectors 3;", "options": {"voidFraction": FULL}}
-        serial, parallel = (self.run_gas(ranks, steps=6, **case) for ranks in (0, 2))
-        self.compare(serial, parallel, "0.0006", 1e-9)
-        parts = self.run_gas(steps=3, **case)
-        box.end_at(parts, 6)
-        self.foam("rhoPimpleFoam", parts)
-        for name in ("U", "p", "T", "particleMomentumSource", "particleEnergySource"):
-            a, b = (field(run / "0.0006" / name) for run in (serial, parts))
-            print(f"{name}: restart {abs(a - b).max() / abs(a).max():.1e}")
-            self.assertLess(abs(a - b).max(), 1e-9 * abs(a).max(), name)
-        self.assertLess(max(box.read_balance(parts, "0.0003")["energyImbalance"]), 1e-10)
+        for more in ({}, {"turbulence": "kEpsilon", "epsilon": 100.0}):
+            with self.subTest(**more):
+                x, v = crowd(1500, height=0.019)
+                case = {"grains": (x, [[8 * a for a in row] for row in v]), "diameter": 1e-3, "write_every": 3,
+                        "correctors": "nOuterCorrectors 3; nCorrectors 3;", "options": {"voidFraction": FULL}, **more}
+                serial, parallel = (self.run_gas(ranks, steps=6, **case) for ranks in (0, 2))
+                self.compare(serial, parallel, "0.0006", 1e-9)
+                parts = self.run_gas(steps=3, **case)
+                box.end_at(parts, 6)
+                self.foam("rhoPimpleFoam", parts)
+                for name in ("U", "p", "T", "particleMomentumSource", "particleEnergySource"):
+                    a, b = (field(run / "0.0006" / name) for run in (serial, parts))
+                    print(f"{name}: restart {abs(a - b).max() / abs(a).max():.1e}")
+                    self.assertLess(abs(a - b).max(), 1e-9 * abs(a).max(), name)
+                self.assertLess(max(box.read_balance(parts, "0.0003")["energyImbalance"]), 1e-10)
 
     def test_uniform_motion(self):
         """Gas and grains that move alike keep moving alike, whatever the void fraction, and the pressure stays: what is
@@ -162,6 +110,45 @@ class GasCrowd(gas_box.GasCase):
         for name in ("U", "p", "T", "phi"):
             a, b = ((f / "0.0003" / name).read_bytes() for f in (alone, coupled))
             self.assertEqual(a, b, name)
+
+    def test_frozen_model(self):
+        """A turbulence model that is switched off has no equations: no warning of sources that are never used."""
+        x, v = crowd(500)
+        self.run_gas(steps=3, turbulence="kEpsilon", frozen=True, diameter=1e-3, grains=(x, v), options={"voidFraction": FULL})
+        self.assertNotIn("never used", self.result.output)
+
+    def test_refused(self):
+        """By one error, which names what to change, before the first momentum equation."""
+        def change(*pair):
+            return lambda folder: dictionaries.change(folder / "system/fvSchemes", pair)
+
+        for more, options, spoil, words in (
+                ({}, {"formulation": "SetII"}, None, ("formulation SetII with equations full", "Set formulation SetI")),
+                ({"time_scheme": "backward"}, {}, None, ("ddtSchemes", "default backward", "Set Euler")),
+                ({"time_scheme": "CrankNicolson 0.9"}, {}, None, ("ddtSchemes", "default CrankNicolson", "Set Euler")),
+                ({}, {}, change("default Euler", "default Euler; ddt(rho,U) bounded Euler"), ("ddt(rho,U) bounded", "Set Euler")),
+                ({}, {}, change("divSchemes {", "divSchemes { div(phi,e) bounded Gauss upwind;"), ("div(phi,e) is bounded",)),
+                ({}, {}, change("divSchemes {", "divSchemes { div(phi,K) bounded Gauss upwind;"), ("div(phi,K) is bounded",)),
+                ({"turbulence": "kEpsilon"}, {}, change("divSchemes {", "divSchemes { div(phi,k) bounded Gauss upwind;"),
+                 ("div(phi,k) is bounded",)),
+                ({"turbulence": "LRR"}, {}, None, ("LRR", "Reynolds stress", "equations neglected"))):
+            with self.subTest(words=words):
+                folder = self.new_folder()
+                gas_box.write(folder, **more)
+                if more.get("turbulence") == "LRR":
+                    dictionaries.write(folder / "0/R", "dimensions [0 2 -2 0 0 0 0]; internalField uniform (0.6 0 0 0.6 0 0.6);\n"
+                                       'boundaryField { ".*" { type cyclic; } }\n', "volSymmTensorField")
+                if spoil:
+                    spoil(folder)
+                box.script(folder, grains=box.grains(*box.swarm(3, 1)))
+                box.fv_options(folder, **{"voidFraction": FULL, **options})
+                for tool in ("blockMesh", "decomposePar"):
+                    self.foam(tool, folder)
+                for ranks in (0, 2):
+                    result = self.foam("rhoPimpleFoam", folder, ranks, check=False)
+                    self.assertFails(result, *words)
+                    self.assertNotRegex(result.output, box.SOLVED)
+                    self.assertEqual(result.output.count("FOAM FATAL"), 1, result)
 
 
 if __name__ == "__main__":

@@ -156,6 +156,20 @@ class Fluids(bad_case.BadCase):
             self.change(folder, "system/fvSchemes", ("default Euler", f"default Euler; ddt(U) {scheme}"))
             self.assertRefused(folder, "ddtSchemes", "ddt(U)", "fvSchemes")
 
+    def test_once_for_all_ranks(self):
+        """What each rank finds out by itself is printed by one of them."""
+        for change, words, solver in (
+                (lambda f: self.change(f, "system/fvSchemes", ("default Euler", "default localEuler")), ("has no time that all cells", "ddtSchemes"), "pimpleFoam"),
+                (lambda f: self.solution(f, "SIMPLE"), ("is a steady solver",), "simpleFoam"),
+                (lambda f: box.fv_options(f, fluid="VOF"), ("does not fit", "phase fraction"), "pimpleFoam"),
+                (lambda f: self.put(f, "constant/dynamicMeshDict", "dynamicFvMesh dynamicRefineFvMesh; correctFluxes ((phi none)); "
+                                    "dumpLevel no; refineInterval 10;\n"), ("a mesh that does not move",), "pimpleFoam")):
+            with self.subTest(words=words):
+                folder = self.fresh()
+                change(folder)
+                result = self.assertRefused(folder, *words, solver=solver, ranks=2)
+                self.assertEqual(result.output.count(words[0]), 1, result)
+
     def test_other_solvers_work(self):
         """pisoFoam, and pimpleFoam with a mesh that is called dynamic but stands still."""
         folder = self.fresh()

@@ -66,6 +66,27 @@ class FullEquations(box.CoupledCase):
                 self.assertLess(abs(last - first + gained).max(), 1e-7 * passed)
                 self.assertLess(max(table["imbalance"]), 1e-9)
 
+    def test_momentum_with_eddies(self):
+        """The same with kEpsilon, which changes the viscosity behind the momentum equation of each step."""
+        folder = self.new_folder()
+        box.write(folder, steps=12, write_every=4, correctors=CONVERGED, ranks=1, decomposition="(1 1 1)")
+        dictionaries.write(folder / "constant/turbulenceProperties",
+                           "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }")
+        for name, value, dimensions in (("k", 0.5, "0 2 -2"), ("epsilon", 50, "0 2 -3"), ("nut", 0, "0 2 -1")):
+            dictionaries.write_field(folder, name, dimensions, value, {".*": "type cyclic;"})
+        dictionaries.change(folder / "system/fvSolution", ('"U.*"', '"(U|k|epsilon).*"'))
+        x, v = crowd(3000)
+        box.script(folder, grains=box.grains(x, v, 1e-3))
+        box.fv_options(folder, forces="(pressureGradient viscous)", voidFraction=FULL)
+        self.foam("blockMesh", folder)
+        self.foam("pimpleFoam", folder)
+        first, last = (of_fluid(folder / time, 1.2) for time in ("0.0004", "0.0012"))
+        table = box.read_balance(folder)
+        gained = numpy.array([sum(table[f"toGrains_{c}"][4:12]) for c in "xyz"])
+        passed = sum(abs(p) for p in table["toGrains_z"][4:12])
+        print(f"kEpsilon: {abs(last - first + gained).max() / passed:.1e} of what was exchanged")
+        self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
+
     @staticmethod
     def of_mixture(folder):
         """Momentum of water and air between the grains with what they are owed [N s]."""

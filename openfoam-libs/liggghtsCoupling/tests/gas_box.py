@@ -30,9 +30,11 @@ def heat_capacity(energy):
 
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
-          tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, **fluid):
+          tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, consistent=False, time_scheme="Euler",
+          turbulence=None, frozen=False, coefficients="", k=1.0, epsilon=1.0, **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
-    and temperature, and leaves at zhi at the given pressure."""
+    and temperature, and leaves at zhi at the given pressure. Turbulence: a RAS model with k and epsilon, which have these
+    values at the beginning and at zlo, and its coefficients."""
     fluid["functions"] = fluid.get("functions", "") + WRITE.format(energy)
     box.write(folder, velocity=velocity, walls=walls, through=through, convection=convection, **fluid)
     thermo = thermo or ("hePsiThermo" if gas == "perfectGas" else "heRhoThermo")
@@ -55,6 +57,7 @@ mixture
     dictionaries.change(folder / "system/fvSchemes", ("default Gauss linear; div(phi,U)", f"default Gauss {convection}; div(phi,U)"),
         ("snGradSchemes", "fluxRequired { default no; p; }\nsnGradSchemes"))
     dictionaries.change(folder / "system/fvSchemes", ("divSchemes {", "divSchemes { div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;"))
+    dictionaries.change(folder / "system/fvSchemes", ("default Euler", f"default {time_scheme}"))
     krylov = "solver PBiCGStab; preconditioner {}; tolerance {}; relTol 0;"
     of_p = krylov.format("DILU" if transonic or solver == "sonicFoam" else "DIC", tolerance)
     dictionaries.write(folder / "system/fvSolution", f"""
@@ -62,9 +65,10 @@ solvers
 {{
     "p.*" {{ {of_p} }}
     "rho.*" {{ solver diagonal; }}
-    "(U|e|h).*" {{ {krylov.format("DILU", tolerance)} }}
+    "(U|e|h|k|epsilon).*" {{ {krylov.format("DILU", tolerance)} }}
 }}
-PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic else 'no'}; }}
+PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic else 'no'};
+          consistent {'yes' if consistent else 'no'}; }}
 """)
     solid = "type noSlip;" if walls else "type cyclic;"
     other = "type zeroGradient;" if walls else "type cyclic;"
@@ -74,6 +78,14 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
     dictionaries.write_field(folder, "U", "0 1 -1", velocity, f'".*" {{ {solid} }} {inlet if through else ""}')
     dictionaries.write_field(folder, "p", "1 -1 -2", pressure, f'".*" {{ {other} }} {outlet if through else ""}')
     dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", T0, f'".*" {{ {other} }} {warm if through else ""}')
+    if turbulence:
+        dictionaries.write(folder / "constant/turbulenceProperties",
+                           f"simulationType RAS; RAS {{ RASModel {turbulence}; turbulence {'off' if frozen else 'on'}; printCoeffs off; "
+                           f"{turbulence}Coeffs {{ {coefficients} }} }}")
+        for name, value, dimensions in (("k", k, "0 2 -2"), ("epsilon", epsilon, "0 2 -3"), ("nut", 0, "0 2 -1"), ("alphat", 0, "1 -1 -1")):
+            at_inlet = "type calculated; value uniform 0;" if value == 0 else f"type fixedValue; value uniform {value!r};"
+            dictionaries.write_field(folder, name, dimensions, value, f'".*" {{ {other} }} ' + (
+                f"zlo {{ {at_inlet} }} zhi {{ type zeroGradient; }}" if through else ""))
 
 
 def field(path):

@@ -6,6 +6,7 @@
 
 #include "ChenWoodTurbulence.H"
 #include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
 #include "fvMatrices.H"
 #include "knownEntries.H"
 #include "turbulenceModel.H"
@@ -82,15 +83,21 @@ void Foam::ChenWoodTurbulence::check
 
     if (frozen || !without.empty() || deaf.found(model.type()))
     {
-        FatalIOErrorInEntry(dict, "turbulenceSources")
-            << "turbulenceSources ChenWood needs a turbulence model with equations for k and"
-            << " epsilon, such as kEpsilon or jetKEpsilon, but this case has " << model.type()
-            << " (simulationType " << model.lookupOrDefault<word>("simulationType", "unknown")
-            << ')'
-            << (frozen ? " with turbulence off" : without.empty() ? " without sources" : "")
-            << (without.empty() ? "" : " without ") << without
-            << " in " << mesh_.time().constant() << '/' << model.name()
-            << ". Change that, or set turbulenceSources to none" << exit(FatalIOError);
+        couplingEntries::onMaster
+        (
+            [&]()
+            {
+                FatalIOErrorInEntry(dict, "turbulenceSources")
+                    << "turbulenceSources ChenWood needs a turbulence model with equations for k and"
+                    << " epsilon, such as kEpsilon or jetKEpsilon, but this case has " << model.type()
+                    << " (simulationType " << model.lookupOrDefault<word>("simulationType", "unknown")
+                    << ')'
+                    << (frozen ? " with turbulence off" : without.empty() ? " without sources" : "")
+                    << (without.empty() ? "" : " without ") << without
+                    << " in " << mesh_.time().constant() << '/' << model.name()
+                    << ". Change that, or set turbulenceSources to none" << exit(FatalIOError);
+            }
+        );
     }
 }
 
