@@ -230,6 +230,98 @@ void Foam::ownedGrains::locate(const Found& found)
 }
 
 
+template<class Type, class Rest>
+void Foam::ownedGrains::handOver
+(
+    const UList<Type>& former,
+    DynamicList<Type>& present,
+    const Rest& rest
+)
+{
+    const label me = Pstream::myProcNo();
+    const label nProcs = Pstream::nProcs();
+    boolList outside(grains_.n, false);
+    for (const label atom : outsideAtoms_)
+    {
+        outside[atom] = true;
+    }
+
+    // LIGGGHTS may have moved grains: the rank that holds one asks its owner
+    DynamicList<Type> ofAtom;
+    ofAtom.setSize(grains_.n, Type(Zero));
+    boolList taken(former.size(), false);
+    List<DynamicList<label>> numbers(nProcs), atoms(nProcs);
+    for (label atom = 0; atom < grains_.n; ++atom)
+    {
+        const double* owner = exchange_.owner[atom];
+        const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
+        const label number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
+        if (outside[atom] || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
+        {
+            continue;
+        }
+        if (rank == me)
+        {
+            ofAtom[atom] = former[number];
+            taken[number] = true;
+        }
+        else
+        {
+            numbers[rank].append(number);
+            atoms[rank].append(atom);
+        }
+    }
+
+    List<DynamicList<Type>> answers(nProcs);
+    impulseBytes_ += ownerRoute::exchange<label>
+    (
+        numbers,
+        [&](const label proci, const UList<label>& asked)
+        {
+            for (const label number : asked)
+            {
+                answers[proci].append(former[number]);
+                taken[number] = true;
+            }
+        }
+    );
+    impulseBytes_ += ownerRoute::exchange<Type>
+    (
+        answers,
+        [&](const label proci, const UList<Type>& values)
+        {
+            forAll(values, k)
+            {
+                ofAtom[atoms[proci][k]] = values[k];
+            }
+        }
+    );
+
+    makeRoom(present, size());
+    present.setSize(size(), Type(Zero));
+    for (label g = 0; g < size(); ++g)
+    {
+        if (!sources_[g].remote)
+        {
+            present[g] = ofAtom[sources_[g].index];
+        }
+    }
+    route_.forward<Type>
+    (
+        [&](const label item) -> Type { return ofAtom[sentAtoms_[item]]; },
+        [&](const label g, const Type& value){ present[g] = value; }
+    );
+
+    forAll(taken, number)
+    {
+        if (!taken[number])
+        {
+            rest(previousCells_[number], former[number]);
+        }
+    }
+}
+
+
 template<class Left>
 Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
 (
