@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "bitSet.H"
 #include "ownedGrains.H"
 #include "PstreamReduceOps.H"
 
@@ -240,30 +241,29 @@ void Foam::ownedGrains::handOver
 {
     const label me = Pstream::myProcNo();
     const label nProcs = Pstream::nProcs();
-    boolList outside(grains_.n, false);
+    bitSet outside(grains_.n);
     for (const label atom : outsideAtoms_)
     {
-        outside[atom] = true;
+        outside.set(atom);
     }
 
     // LIGGGHTS may have moved grains: the rank that holds one asks its owner
-    DynamicList<Type> ofAtom;
-    ofAtom.setSize(grains_.n, Type(Zero));
-    boolList taken(former.size(), false);
+    List<Type> ofAtom(grains_.n, Type(Zero));
+    bitSet taken(former.size());
     List<DynamicList<label>> numbers(nProcs), atoms(nProcs);
     for (label atom = 0; atom < grains_.n; ++atom)
     {
         const double* owner = exchange_.owner[atom];
         const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
         const label number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
-        if (outside[atom] || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
+        if (outside.test(atom) || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
         {
             continue;
         }
         if (rank == me)
         {
             ofAtom[atom] = former[number];
-            taken[number] = true;
+            taken.set(number);
         }
         else
         {
@@ -281,7 +281,7 @@ void Foam::ownedGrains::handOver
             for (const label number : asked)
             {
                 answers[proci].append(former[number]);
-                taken[number] = true;
+                taken.set(number);
             }
         }
     );
@@ -312,9 +312,9 @@ void Foam::ownedGrains::handOver
         [&](const label g, const Type& value){ present[g] = value; }
     );
 
-    forAll(taken, number)
+    forAll(former, number)
     {
-        if (!taken[number])
+        if (!taken.test(number))
         {
             rest(previousCells_[number], former[number]);
         }
