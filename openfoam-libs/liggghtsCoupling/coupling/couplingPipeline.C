@@ -69,7 +69,12 @@ void Foam::couplingPipeline::start()
     grains_.reset(new ownedGrains(session_, locator_));
     if (former_.continues())
     {
-        grains_->restoreOwners();
+        DynamicList<scalar> coefficients;
+        averages_.restoreShares(*grains_, coefficients);
+        if (debts_)
+        {
+            debts_->restore(*grains_, coefficients, former_.deltaT());
+        }
     }
     else
     {
@@ -146,6 +151,15 @@ Foam::couplingPipeline::couplingPipeline
       ? new energyExchange(fluid)
       : nullptr
     ),
+    debts_
+    (
+        couplingEntries::twoWay(dict) && momentum_.momentum().debts()
+      ? new debtTransport
+        (
+            *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr
+        )
+      : nullptr
+    ),
     session_
     (
         fluid.mesh().time().globalPath(),
@@ -215,7 +229,12 @@ void Foam::couplingPipeline::advance()
     }
     log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), gas_);
 
+    const bool moved = debts_ && debts_->take(*grains_, averages_, fluid_);
     step.cells = averages_.update(*grains_);
+    if (moved)
+    {
+        debts_->give(*grains_, averages_);
+    }
     if (equations_)
     {
         equations_->beginStep();
@@ -223,6 +242,10 @@ void Foam::couplingPipeline::advance()
             sum(averages_.voidFraction().primitiveField()*fluid_.mesh().V().field());
     }
     step.slipSum = forces_.act(*grains_, records_);
+    if (debts_)
+    {
+        debts_->remember(records_, fluid_.mesh().time().deltaTValue());
+    }
 
     const scalar before = clock.elapsedTime();
     {

@@ -135,7 +135,11 @@ void Foam::ownedGrains::clearOwners()
 }
 
 
-void Foam::ownedGrains::restoreOwners()
+void Foam::ownedGrains::restoreOwners
+(
+    const std::function<void(label, const UList<grainData>&)>& found,
+    DynamicList<scalar>& coefficients
+)
 {
     const liggghtsSession::grainArrays grains = session_.grains();
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
@@ -167,7 +171,19 @@ void Foam::ownedGrains::restoreOwners()
     }
 
     clearOwners();
-    locate([](const label, const UList<grainData>&){});
+    locate(found);
+    makeRoom(coefficients, size());
+    coefficients.setSize(size());
+    for (label g = 0; g < size(); ++g)
+    {
+        const source from = sources_[g];
+        coefficients[g] = from.remote ? 0 : exchange_.dragCoefficient[from.index];
+    }
+    route_.forward<scalar>
+    (
+        [&](const label item){ return exchange_.dragCoefficient[sentAtoms_[item]]; },
+        [&](const label g, const scalar coefficient){ coefficients[g] = coefficient; }
+    );
     for (label g = 0; g < size(); ++g)
     {
         if (nState_)

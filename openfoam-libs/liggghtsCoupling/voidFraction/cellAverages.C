@@ -279,4 +279,23 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
 }
 
 
+void Foam::cellAverages::restoreShares
+(
+    ownedGrains& grains,
+    DynamicList<scalar>& coefficients
+)
+{
+    shares_.clear();
+    grains.restoreOwners
+    (
+        [&](const label first, const UList<grainData>& found)
+        {
+            model_->share(first, found, shares_);
+        },
+        coefficients
+    );
+    shares_.findRemoteParts([&](const label g){ return grains.cell(g); });
+}
+
+
 // ************************************************************************* //

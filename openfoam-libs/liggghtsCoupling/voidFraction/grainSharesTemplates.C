@@ -155,4 +155,47 @@ void Foam::grainShares::deposit
 }
 
 
+template<class Type, class CellOf, class Value, class Take>
+void Foam::grainShares::collect
+(
+    const label nGrains,
+    const CellOf& cellOf,
+    const Value& value,
+    const Take& take
+)
+{
+    label i = 0;
+    for (label g = 0; g < nGrains; ++g)
+    {
+        i = depositOne
+        (
+            i, g, cellOf(g), g,
+            [&](const label celli, const scalar fraction, const label grain)
+            {
+                take(grain, fraction, value(celli));
+            }
+        );
+    }
+    for (const share& s : late_)
+    {
+        take(s.grain, s.fraction, value(s.cell));
+    }
+    route_.back
+    (
+        Type::size(),
+        [&](const label stored, scalar* values)
+        {
+            const Type ofCell(value(remote_[stored].cell));
+            std::copy(ofCell.begin(), ofCell.end(), values);
+        },
+        [&](const label item, const scalar* values)
+        {
+            Type ofCell;
+            std::copy_n(values, Type::size(), ofCell.begin());
+            take(remoteParts_[item].grain, remoteParts_[item].fraction, ofCell);
+        }
+    );
+}
+
+
 // ************************************************************************* //

@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+    Grainjet: coarse-grained CFD-DEM for particle-laden jets
+    Copyright (C) 2026 The Grainjet developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bitSet.H"
+#include "ownedGrains.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type, class Rest>
+void Foam::ownedGrains::handOver
+(
+    const UList<Type>& former,
+    DynamicList<Type>& present,
+    const Rest& rest
+)
+{
+    const label me = Pstream::myProcNo();
+    const label nProcs = Pstream::nProcs();
+    bitSet outside(grains_.n);
+    for (const label atom : outsideAtoms_)
+    {
+        outside.set(atom);
+    }
+
+    // LIGGGHTS may have moved grains: the rank that holds one asks its owner
+    List<Type> ofAtom(grains_.n, Type(Zero));
+    bitSet taken(former.size());
+    List<DynamicList<label>> numbers(nProcs), atoms(nProcs);
+    for (label atom = 0; atom < grains_.n; ++atom)
+    {
+        const double* owner = exchange_.owner[atom];
+        const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
+        const label number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
+        if (outside.test(atom) || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
+        {
+            continue;
+        }
+        if (rank == me)
+        {
+            ofAtom[atom] = former[number];
+            taken.set(number);
+        }
+        else
+        {
+            numbers[rank].append(number);
+            atoms[rank].append(atom);
+        }
+    }
+
+    List<DynamicList<Type>> answers(nProcs);
+    impulseBytes_ += ownerRoute::exchange<label>
+    (
+        numbers,
+        [&](const label proci, const UList<label>& asked)
+        {
+            for (const label number : asked)
+            {
+                answers[proci].append(former[number]);
+                taken.set(number);
+            }
+        }
+    );
+    impulseBytes_ += ownerRoute::exchange<Type>
+    (
+        answers,
+        [&](const label proci, const UList<Type>& values)
+        {
+            forAll(values, k)
+            {
+                ofAtom[atoms[proci][k]] = values[k];
+            }
+        }
+    );
+
+    makeRoom(present, size());
+    present.setSize(size(), Type(Zero));
+    for (label g = 0; g < size(); ++g)
+    {
+        if (!sources_[g].remote)
+        {
+            present[g] = ofAtom[sources_[g].index];
+        }
+    }
+    route_.forward<Type>
+    (
+        [&](const label item) -> Type { return ofAtom[sentAtoms_[item]]; },
+        [&](const label g, const Type& value){ present[g] = value; }
+    );
+
+    forAll(former, number)
+    {
+        if (!taken.test(number))
+        {
+            rest(previousCells_[number], former[number]);
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,92 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the fluid is still to receive moves with the grains: an uneven crowd of heavy grains in air, one to two in a cell, that
+cross cells while they follow the air within a fraction of a step."""
+# processors: 4
+# label: long
+
+import random
+import unittest
+
+import numpy
+
+from crowded_box import values
+from grainjet import coupled_box as box
+
+AIR, GLASS, NU, STEP = 1.2, 2500.0, 1e-3, 1e-4
+NUMBER, CG = 100, 186               # 30 response times of the grains in a step, mass of grains 200 times that of the air
+SIDE, CELLS = 0.008, 64
+
+
+class MovingDebts(box.CoupledCase):
+
+    def crowd(self, equations="full", ranks=0, steps=60, into=None, **fluid):
+        """Half of the grains at rest, half at 1 m/s. Folder."""
+        rng = random.Random(1)
+        x = [[rng.uniform(0, SIDE) for _ in range(3)] for _ in range(NUMBER)]
+        v = [[0, 0, rng.choice((0, 1))] for _ in x]
+        folder = into or self.new_folder()
+        box.write(folder, rho=f"rho [1 -3 0 0 0 0 0] {AIR};", nu=NU, size=(8, 8, 8), cells="4 4 4", steps=steps, ranks=ranks or 1,
+                  **{"write_every": 20, **fluid})
+        box.script(folder, grains=box.grains(x, v, 1e-3 / CG, GLASS), box="0 0.008 0 0.008 0 0.008",
+                   plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {CG} model_check warn")
+        box.fv_options(folder, voidFraction=box.void_fraction(equations), drag="Stokes", forces="(pressureGradient)",
+                       interpolation="cell")
+        self.foam("blockMesh", folder)
+        if ranks:
+            self.foam("decomposePar", folder)
+        self.foam("pimpleFoam", folder, ranks)
+        if ranks:
+            self.foam("reconstructPar", folder)
+        return folder
+
+    def test_bounded(self):
+        """With debts that stay in their cells the air has 60 m/s after 38 steps, and the run ends before the 60th. Air between
+        grains may be faster than the grains that push it, but not twice as fast."""
+        for equations in ("full", "neglected"):
+            with self.subTest(equations=equations):
+                folder = self.crowd(equations, write_every=10)
+                name = "fluidVelocity" if equations == "full" else "U"
+                times = sorted((path.parent for path in folder.glob("*/dragCoefficient")), key=lambda path: float(path.name))
+                most = [[abs(values(time / n)).max() for time in times] for n in (name, "particleVelocity")]
+                print(f"{equations}: fluid {', '.join(f'{u:.3g}' for u in most[0])} m/s, "
+                      f"grains {', '.join(f'{u:.3g}' for u in most[1])} m/s")
+                self.assertEqual(len(times), 6)
+                self.assertLess(max(most[0]), 2)
+                self.assertLess(max(most[1]), 1)
+
+    def test_momentum(self):
+        """What the grains gain is what the air loses, with what it is still owed, to round-off."""
+        folder = self.crowd("neglected", steps=30, write_every=15, correctors="nOuterCorrectors 15; nCorrectors 2;")
+        table = box.read_balance(folder)
+        first, last = (AIR * (SIDE ** 3 / CELLS) * values(folder / time / "U").sum(0)
+                       + values(folder / time / "particleMomentumOwed").sum(0) for time in ("0.0015", "0.003"))
+        gained = numpy.array([sum(table[f"toGrains_{c}"][15:30]) for c in "xyz"])
+        passed = sum(abs(p) for p in table["toGrains_z"][15:30])
+        print(f"{abs(last - first + gained).max() / passed:.1e} of what was exchanged")
+        self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
+
+    def test_ranks(self):
+        """The same on 1, 2 and 4 ranks, to the tolerance of the linear solvers."""
+        serial = self.crowd(steps=10, write_every=10)
+        for ranks, decomposition in ((2, "(1 1 2)"), (4, "(2 1 2)")):
+            with self.subTest(ranks=ranks):
+                parallel = self.crowd(ranks=ranks, steps=10, write_every=10, decomposition=decomposition)
+                for name in ("U", "particleVelocity", "particleMomentumOwed"):
+                    a, b = (values(folder / "0.001" / name) for folder in (serial, parallel))
+                    print(f"{ranks} ranks, {name}: {abs(a - b).max() / abs(a).max():.1e}")
+                    self.assertLess(abs(a - b).max(), 1e-6 * abs(a).max(), name)
+
+    def test_restart(self):
+        """A run of 40 steps, and one of 20 that is continued, end with the same fields bit for bit."""
+        whole, parts = self.crowd(steps=40), self.crowd(steps=20)
+        box.end_at(parts, 40)
+        self.foam("pimpleFoam", parts)
+        for name in ("U", "particleVelocity", "particleMomentumOwed"):
+            a, b = ((folder / "0.004" / name).read_bytes() for folder in (whole, parts))
+            self.assertEqual(a, b, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
