@@ -68,15 +68,12 @@ class MovingDebts(box.CoupledCase):
         self.assertLess(abs(last - first + gained).max(), 1e-9 * passed)
 
     def test_ranks(self):
-        """The same on 1, 2 and 4 ranks, to the tolerance of the linear solvers."""
-        serial = self.crowd(steps=10, write_every=10)
-        for ranks, decomposition in ((2, "(1 1 2)"), (4, "(2 1 2)")):
-            with self.subTest(ranks=ranks):
-                parallel = self.crowd(ranks=ranks, steps=10, write_every=10, decomposition=decomposition)
-                for name in ("U", "particleVelocity", "particleMomentumOwed"):
-                    a, b = (values(folder / "0.001" / name) for folder in (serial, parallel))
-                    print(f"{ranks} ranks, {name}: {abs(a - b).max() / abs(a).max():.1e}")
-                    self.assertLess(abs(a - b).max(), 1e-6 * abs(a).max(), name)
+        """The same on 1 and 4 ranks, to the tolerance of the linear solvers."""
+        serial, parallel = self.crowd(steps=8, write_every=8), self.crowd(ranks=4, steps=8, write_every=8, decomposition="(2 1 2)")
+        for name in ("U", "particleVelocity", "particleMomentumOwed"):
+            a, b = (values(folder / "0.0008" / name) for folder in (serial, parallel))
+            print(f"{name}: {abs(a - b).max() / abs(a).max():.1e}")
+            self.assertLess(abs(a - b).max(), 1e-6 * abs(a).max(), name)
 
     def test_restart(self):
         """A run of 40 steps, and one of 20 that is continued, end with the same fields bit for bit."""
