@@ -14,6 +14,7 @@
 #include "grainTurbulence.H"
 #include "knownEntries.H"
 #include "OSspecific.H"
+#include "releases.H"
 #include "repeatedEntry.H"
 #include "Time.H"
 #include "voidFractionEquations.H"
@@ -238,6 +239,13 @@ void Foam::couplingEntries::checkKnown
 }
 
 
+void Foam::couplingEntries::waitForMaster()
+{
+    bool passed = true;
+    releases::fromMaster(passed);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fileName Foam::couplingEntries::file(const fvMesh& mesh)
@@ -286,7 +294,7 @@ Foam::dictionary Foam::couplingEntries::checked
             checkKnown(type, dict, mesh.time());
         }
     );
-    Pstream::scatter(location);
+    releases::fromMaster(location);
 
     dictionary result(dict);
     setName(result, location);
