@@ -68,6 +68,10 @@ class WrongTrees(grainjet.Case):
         self.api.write_text("api=1906\n")
         self.assertRefused("is OpenFOAM v1906", "v1912 or later")
 
+    def test_unknown_compiler(self):
+        (self.tree / "src/OpenFOAM/lnInclude").mkdir()
+        self.assertRefused("the compiler 'nocompiler' is not there", arguments=["--compiler", "nocompiler"])
+
     def test_unknown_library(self):
         self.assertRefused("there is no library 'jets'", "liggghtsCoupling, ", "userModels", arguments=["jets"])
 
