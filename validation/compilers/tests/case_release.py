@@ -96,9 +96,9 @@ class OwnTree(grainjet.Case):
         self.assertEqual(good.code, 0, good)
         self.assertIn(": 2 sources of 2 libraries, 0 with errors, 0 with warnings", good.output)
 
-        faults = {"static int unused() { return 1.5; }\n": ("unused", "0 with errors, 1 with warnings"),
+        faults = {"inline int whole(double x) { return (int)x; }\n": ("old-style cast", "0 with errors, 1 with warnings"),
                   "int undeclared(nothing);\n": ("nothing", "1 with errors, 0 with warnings"),
-                  "struct one { virtual void f(); virtual ~one(); };\nstruct two : one { void f(); };\n":
+                  "struct base { virtual void f(); virtual ~base(); };\nstruct derived : base { void f(); };\n":
                   ("can be marked override", "0 with errors, 1 with warnings")}
         for fault, (word, count) in faults.items():
             with self.subTest(fault):
