@@ -136,7 +136,7 @@ void setName(dictionary& dict, const fileName& name)
     {
         if (e.isDict())
         {
-            setName(e.dict(), name + '.' + e.keyword());
+            setName(e.dict(), name + releases::inDictionary + e.keyword());
         }
     }
 }
