@@ -68,38 +68,38 @@ class FixFluidForce : public Fix {
   FixFluidForce(class LAMMPS *, int, char **);
   ~FixFluidForce();
 
-  int setmask();
-  void post_create();
-  void pre_delete(bool);
-  void init();
-  void setup(int);
-  void setup_pre_exchange();
-  void setup_pre_neighbor();
-  void setup_pre_force(int);
-  void pre_initial_integrate();
-  void pre_exchange();
-  void pre_neighbor();
-  void pre_final_integrate();
-  void set_arrays(int);
-  double compute_vector(int);
-  int min_type();
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool) override;
+  void init() override;
+  void setup(int) override;
+  void setup_pre_exchange() override;
+  void setup_pre_neighbor() override;
+  void setup_pre_force(int) override;
+  void pre_initial_integrate() override;
+  void pre_exchange() override;
+  void pre_neighbor() override;
+  void pre_final_integrate() override;
+  void set_arrays(int) override;
+  double compute_vector(int) override;
+  int min_type() override;
 
-  void grow_arrays(int);
-  void copy_arrays(int, int, int);
-  int pack_exchange(int, double *);
-  int unpack_exchange(int, double *);
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
 
-  void write_restart(FILE *);
-  void write_restart_file(char *);
-  void restart(char *);
-  int pack_restart(int, double *);
-  void unpack_restart(int, int);
-  int size_restart(int);
-  int maxsize_restart();
+  void write_restart(FILE *) override;
+  void write_restart_file(char *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
 
   // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
   // "fluid_force_version": const char *, the version of Grainjet that layout belongs to
-  void *extract(const char *, int &);
+  void *extract(const char *, int &) override;
 
  private:
 

@@ -63,37 +63,37 @@ class FixHertzCg : public Fix {
   FixHertzCg(class LAMMPS *, int, char **);
   ~FixHertzCg();
 
-  int setmask();
-  void post_create_pre_restart();
-  void pre_delete(bool unfixflag);
-  void init();
-  void init_list(int, class NeighList *);
-  void setup_pre_exchange();
-  void setup_pre_neighbor();
-  void setup_pre_force(int);
-  void post_integrate();
-  void reset_dt();
-  void pre_exchange();
-  void pre_neighbor();
-  void end_of_step();
-  void post_run();
+  int setmask() override;
+  void post_create_pre_restart() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void init_list(int, class NeighList *) override;
+  void setup_pre_exchange() override;
+  void setup_pre_neighbor() override;
+  void setup_pre_force(int) override;
+  void post_integrate() override;
+  void reset_dt() override;
+  void pre_exchange() override;
+  void pre_neighbor() override;
+  void end_of_step() override;
+  void post_run() override;
 
-  double extend_cut_ghost();
-  double compute_vector(int);
-  double memory_usage();
+  double extend_cut_ghost() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
 
-  void grow_arrays(int);
-  void copy_arrays(int, int, int);
-  void set_arrays(int);
-  int pack_exchange(int, double *);
-  int unpack_exchange(int, double *);
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
 
-  void write_restart(FILE *);
-  void restart(char *);
-  int pack_restart(int, double *);
-  void unpack_restart(int, int);
-  int size_restart(int);
-  int maxsize_restart();
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
 
  private:
 

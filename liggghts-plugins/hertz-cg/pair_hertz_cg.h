@@ -37,14 +37,14 @@ class PairHertzCg : public PairGran {
 
   std::size_t bytes() const { return (order_.capacity() + partners_.capacity() + first_.capacity()) * sizeof(int); }
 
-  void settings(int, char **);
-  void init_style();
-  void compute_force(int eflag, int vflag, int addflag);
-  bool contact_match(const std::string kind, const std::string model);
-  int64_t hashcode() { return 0; }             // for the host's neighbour lists, of which there are none
-  double stressStrainExponent() { return 1.5; }    // of a Hertz contact
+  void settings(int, char **) override;
+  void init_style() override;
+  void compute_force(int eflag, int vflag, int addflag) override;
+  bool contact_match(const std::string kind, const std::string model) override;
+  int64_t hashcode() override { return 0; }             // for the host's neighbour lists, of which there are none
+  double stressStrainExponent() override { return 1.5; }    // of a Hertz contact
 
-  void write_restart(FILE *);
+  void write_restart(FILE *) override;
 
   // Forces of a contact, for whoever wants to know: sum, torques on both grains, as the host's own style tells
   struct Contact {

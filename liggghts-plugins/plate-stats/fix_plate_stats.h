@@ -54,31 +54,31 @@ class FixPlateStats : public Fix {
   FixPlateStats(class LAMMPS *, int, char **);
   ~FixPlateStats();
 
-  int setmask();
-  void post_create();
-  void pre_delete(bool unfixflag);
-  void init();
-  void setup(int);
-  void pre_neighbor();
-  void pre_final_integrate();
-  void end_of_step();
-  void post_run();
-  void write_restart(FILE *);
-  void restart(char *);
-  double compute_vector(int);
-  double memory_usage();
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void setup(int) override;
+  void pre_neighbor() override;
+  void pre_final_integrate() override;
+  void end_of_step() override;
+  void post_run() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double compute_vector(int) override;
+  double memory_usage() override;
 
   // the collisions in progress go where their grains go
 
-  void grow_arrays(int);
-  void copy_arrays(int, int, int);
-  void set_arrays(int);
-  int pack_exchange(int, double *);
-  int unpack_exchange(int, double *);
-  int pack_restart(int, double *);
-  void unpack_restart(int, int);
-  int size_restart(int);
-  int maxsize_restart();
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
 
  private:
 

@@ -40,12 +40,12 @@ class FixWallRoughness : public Fix {
 
   FixWallRoughness(class LAMMPS *, int, char **);
 
-  int setmask();
-  void post_create();
-  void pre_delete(bool unfixflag);
-  void init();
-  void pre_force(int);
-  double compute_vector(int);
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void pre_force(int) override;
+  double compute_vector(int) override;
 
  private:
 

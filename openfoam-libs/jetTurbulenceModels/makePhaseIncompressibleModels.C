@@ -5,9 +5,20 @@
 \*---------------------------------------------------------------------------*/
 
 // Registers the models for the phase-weighted turbulence of DPMFoam and
-// MPPICFoam (the fluid fraction enters every term of the equations)
+// MPPICFoam (the fluid fraction enters every term of the equations). From v2012
+// on they have a class of their own, whose header lies with the solver; where
+// an installation has no sources of solvers there is nothing to register
 
-#include "PhaseIncompressibleTurbulenceModel.H"
+#if OPENFOAM < 2012
+    #include "PhaseIncompressibleTurbulenceModel.H"
+    #define solverClass PhaseIncompressibleTurbulenceModel
+#elif __has_include("DPMIncompressibleTurbulenceModel.H")
+    #include "DPMIncompressibleTurbulenceModel.H"
+    #define solverClass DPMIncompressibleTurbulenceModel
+#endif
+
+#ifdef solverClass
+
 #include "singlePhaseTransportModel.H"
 #include "addToRunTimeSelectionTable.H"
 #include "makeTurbulenceModel.H"
@@ -16,19 +27,27 @@
 #include "LESModel.H"
 #include "jetKEpsilon.H"
 
+namespace Foam
+{
+    template<class TransportModel>
+    using DPMTurbulenceModel = solverClass<TransportModel>;
+}
+
 makeTurbulenceModelTypes
 (
     volScalarField,
     geometricOneField,
     incompressibleTurbulenceModel,
-    PhaseIncompressibleTurbulenceModel,
+    DPMTurbulenceModel,
     singlePhaseTransportModel
 );
 
 #define makeRASModel(Type)                                                     \
     makeTemplatedTurbulenceModel                                               \
-    (singlePhaseTransportModelPhaseIncompressibleTurbulenceModel, RAS, Type)
+    (singlePhaseTransportModelDPMTurbulenceModel, RAS, Type)
 
 makeRASModel(jetKEpsilon);
+
+#endif
 
 // ************************************************************************* //

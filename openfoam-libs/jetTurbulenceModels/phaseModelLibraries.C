@@ -35,11 +35,21 @@ const struct { const char* stock; const char* ours; } libraries[] =
         "libjetTwoPhaseMixtureTurbulenceModels.so"
     },
     {
+        // Its name from v2012 on
+        "libcompressibleTwoPhaseMixtureTurbulenceModels.so",
+        "libjetTwoPhaseMixtureTurbulenceModels.so"
+    },
+    {
         "libtwoPhaseReactingTurbulenceModels.so",
         "libjetReactingPhaseTurbulenceModels.so"
     },
     {
         "libmultiphaseReactingTurbulenceModels.so",
+        "libjetReactingPhaseTurbulenceModels.so"
+    },
+    {
+        // Holds them from v2012 on
+        "libreactingMultiphaseSystem.so",
         "libjetReactingPhaseTurbulenceModels.so"
     }
 };

@@ -8,6 +8,7 @@
     compile_check.py plugins  --aarch64               the same for aarch64, by Debian's cross compiler
     compile_check.py openfoam --compiler clang++      the OpenFOAM libraries
     compile_check.py openfoam --label 64              the same with 64-bit labels
+                                                      (tools/check-release does it, and for other releases)
 
 A warning counts as an error. Exit code 0: all compile without one; 1: what does not is printed.
 """
@@ -18,14 +19,12 @@ import json
 import os
 import pathlib
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLCHAIN = ROOT / "validation/compilers/aarch64.cmake"
-LIBRARIES = [folder.parent.name for folder in sorted((ROOT / "openfoam-libs").glob("*/Make"))]
 
 
 def output(command, **settings):
@@ -62,35 +61,24 @@ def check_plugins(folder, compiler, aarch64):
     return failed
 
 
-# After openfoam-environment: another label or precision, and a compiler that stops before any object
-WMAKE = """
+# The tree that ./Allwmake builds with: the sourced one, or Debian's
+TREE = """
 . openfoam-libs/tools/openfoam-environment
-export WM_LABEL_SIZE=$label WM_LABEL_OPTION=Int$label WM_PRECISION_OPTION=$precision
-export WM_OPTIONS=$WM_ARCH$WM_COMPILER$WM_PRECISION_OPTION$WM_LABEL_OPTION$WM_COMPILE_OPTION
-export GRAINJET_CXX="$GRAINJET_CXX -Werror -fsyntax-only" MAKEFLAGS="-k -j$(nproc)"
-cd "openfoam-libs/$library" && wmakeLnInclude -s . && wmake -s objects
+echo "$WM_PROJECT_DIR"
 """
 
 
-def check_openfoam(folder, compiler, label, precision="DP", first_only=False):
-    """Number of OpenFOAM libraries that do not compile without a warning; what is printed says why."""
-    products = shutil.ignore_patterns("lnInclude", "linux*", "__pycache__", "tests")
-    for part in ("openfoam-libs", "liggghts-plugins"):
-        shutil.copytree(ROOT / part, folder / part, ignore=products)
-    failed = 0
-    for name in LIBRARIES:
-        files = folder / "openfoam-libs" / name / "Make/files"
-        sources = [line for line in files.read_text().split() if line.endswith(".C")]
-        if first_only:
-            sources = sources[:1]
-            files.write_text(f"{sources[0]}\n\nLIB = $(FOAM_USER_LIBBIN)/lib{name}\n")
-        choice = {"label": str(label), "precision": precision, "library": name, **({"CXX": compiler} if compiler else {})}
-        code, printed = output(["bash", "-c", WMAKE], cwd=folder, env={**os.environ, **choice})
-        # wmake names each file it works on: none is left out
-        good = code == 0 and printed.count("Ctoo: ") == len(sources)
-        failed += not good
-        print(f"{len(sources)} sources of {name}" + ("" if good else f", with warnings or errors:\n{printed}"), flush=True)
-    return failed
+def check_openfoam(arguments):
+    """Exit code of check-release, which says what does not compile."""
+    code, printed = output(["bash", "-c", TREE], cwd=ROOT)
+    if code:
+        print(printed)
+        return 1
+    options = ["--compiler", arguments.compiler] if arguments.compiler else []
+    options += ["--first"] if arguments.first else []
+    return subprocess.run([ROOT / "openfoam-libs/tools/check-release", printed.splitlines()[-1],
+                           "--label", str(arguments.label), "--precision", arguments.precision, *options],
+                          check=False).returncode
 
 
 def main():
@@ -103,13 +91,10 @@ def main():
                         help="openfoam: of its numbers; SP and SPDP shall be refused")
     parser.add_argument("--first", action="store_true", help="openfoam: the first source of each library only")
     arguments = parser.parse_args()
+    if arguments.part == "openfoam":
+        return check_openfoam(arguments)
     with tempfile.TemporaryDirectory(prefix="grainjet-") as folder:
-        folder = pathlib.Path(folder)
-        if arguments.part == "plugins":
-            failed = check_plugins(folder, arguments.compiler or "g++", arguments.aarch64)
-        else:
-            failed = check_openfoam(folder, arguments.compiler, arguments.label, arguments.precision, arguments.first)
-    return 1 if failed else 0
+        return 1 if check_plugins(pathlib.Path(folder), arguments.compiler or "g++", arguments.aarch64) else 0
 
 
 if __name__ == "__main__":

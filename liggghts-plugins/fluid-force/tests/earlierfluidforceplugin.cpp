@@ -20,8 +20,8 @@ namespace {
 class EarlierFluidForce : public Fix {
  public:
   EarlierFluidForce(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {}
-  int setmask() { return 0; }
-  void *extract(const char *what, int &dim)
+  int setmask() override { return 0; }
+  void *extract(const char *what, int &dim) override
   {
     dim = 0;
     return strcmp(what, "fluid_force_exchange") == 0 ? exchange_ : nullptr;

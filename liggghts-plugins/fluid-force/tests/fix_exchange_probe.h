@@ -41,11 +41,11 @@ class FixExchangeProbe : public Fix {
  public:
 
   FixExchangeProbe(class LAMMPS *, int, char **);
-  int setmask();
-  void post_create();
-  void init();
-  void end_of_step();
-  double compute_vector(int);
+  int setmask() override;
+  void post_create() override;
+  void init() override;
+  void end_of_step() override;
+  double compute_vector(int) override;
 
  private:
 

@@ -25,11 +25,11 @@ namespace LAMMPS_NS {
 class FixPluginExample : public Fix {
  public:
   FixPluginExample(class LAMMPS *, int, char **);
-  int setmask();
-  void end_of_step();
-  double compute_scalar();
-  void write_restart(FILE *);
-  void restart(char *);
+  int setmask() override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
 
  private:
   double count;

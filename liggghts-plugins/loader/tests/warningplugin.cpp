@@ -33,9 +33,9 @@ class FixPluginWarn : public Fix {
     words = arg[5];
   }
 
-  int setmask() { return FixConst::END_OF_STEP; }
-  void end_of_step() { warn(update->ntimestep); }
-  void post_run() { warn(0); }
+  int setmask() override { return FixConst::END_OF_STEP; }
+  void end_of_step() override { warn(update->ntimestep); }
+  void post_run() override { warn(0); }
 
  private:
   int rank;

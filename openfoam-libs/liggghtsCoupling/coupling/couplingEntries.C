@@ -14,6 +14,7 @@
 #include "grainTurbulence.H"
 #include "knownEntries.H"
 #include "OSspecific.H"
+#include "releases.H"
 #include "repeatedEntry.H"
 #include "Time.H"
 #include "voidFractionEquations.H"
@@ -135,7 +136,7 @@ void setName(dictionary& dict, const fileName& name)
     {
         if (e.isDict())
         {
-            setName(e.dict(), name + '.' + e.keyword());
+            setName(e.dict(), name + releases::inDictionary + e.keyword());
         }
     }
 }
@@ -238,6 +239,13 @@ void Foam::couplingEntries::checkKnown
 }
 
 
+void Foam::couplingEntries::waitForMaster()
+{
+    bool passed = true;
+    releases::fromMaster(passed);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fileName Foam::couplingEntries::file(const fvMesh& mesh)
@@ -286,7 +294,7 @@ Foam::dictionary Foam::couplingEntries::checked
             checkKnown(type, dict, mesh.time());
         }
     );
-    Pstream::scatter(location);
+    releases::fromMaster(location);
 
     dictionary result(dict);
     setName(result, location);

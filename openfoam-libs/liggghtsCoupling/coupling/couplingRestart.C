@@ -77,7 +77,7 @@ Foam::couplingRestart::couplingRestart
     const formerRun& former
 )
 :
-    regIOobject
+    releases::writtenWithFields
     (
         IOobject
         (
@@ -105,13 +105,7 @@ Foam::couplingRestart::couplingRestart
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::couplingRestart::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::couplingRestart::writeFiles() const
 {
     const Time& time = mesh_.time();
 
@@ -134,7 +128,7 @@ bool Foam::couplingRestart::writeObject
     (
         fileHandler().objectPath(uniform(formerRun::grainsName), word::null)
     );
-    Pstream::scatter(path);
+    releases::fromMaster(path);
     const fileName partial(path + ".partial");
     if (Pstream::master())
     {
@@ -160,19 +154,13 @@ bool Foam::couplingRestart::writeObject
     {
         bytes = Foam::fileSize(partial);
     }
-    Pstream::scatter(bytes);
+    releases::fromMaster(bytes);
     counters.add("bytes", digits(bytes));
     counters.add("sha1", formerRun::digest(partial));
     counters.add("time", word(time.timeName(), false));
     counters.add("files", optionalFiles());
     counters.merge(entries_);
-    counters.regIOobject::writeObject
-    (
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
-    );
+    releases::writeText(counters);
 
     const bool renamed = !Pstream::master() || Foam::mv(partial, path);
     if (!returnReduce(renamed, andOp<bool>()))

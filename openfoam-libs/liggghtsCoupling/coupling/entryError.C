@@ -6,6 +6,7 @@
 
 #include "entryError.H"
 #include "OSspecific.H"
+#include "releases.H"
 
 #include <cctype>
 #include <fstream>
@@ -21,8 +22,8 @@ Foam::fileName fileOf(const Foam::dictionary& dict)
     Foam::fileName name(dict.name());
     while (!name.empty() && !Foam::isFile(name, false))
     {
-        const auto dot = name.rfind('.');
-        name.resize(dot == std::string::npos ? 0 : dot);
+        const auto end = name.rfind(Foam::releases::inDictionary);
+        name.resize(end == std::string::npos ? 0 : end);
     }
     return name;
 }

@@ -8,6 +8,7 @@
 #include "couplingEntries.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "releases.H"
 #include "SHA1.H"
 #include "Time.H"
 
@@ -80,7 +81,7 @@ Foam::fileName Foam::formerRun::found(const word& timeName) const
             }
         }
     }
-    Pstream::scatter(file);
+    releases::fromMaster(file);
     return file;
 }
 
@@ -100,7 +101,7 @@ Foam::string Foam::formerRun::digest(const fileName& file)
         }
         result = sum.str();
     }
-    Pstream::scatter(result);
+    releases::fromMaster(result);
     return result;
 }
 
@@ -196,7 +197,7 @@ Foam::fileName Foam::formerRun::table() const
             }
         }
     }
-    Pstream::scatter(reached);
+    releases::fromMaster(reached);
     return reached;
 }
 

@@ -13,6 +13,7 @@ Description
 #include "entryError.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
+#include "releases.H"
 #include "Time.H"
 #include "voidFractionEquations.H"
 #include "volFields.H"
@@ -69,7 +70,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
     {
         bytes = Foam::fileSize(path);
     }
-    Pstream::scatter(bytes);
+    releases::fromMaster(bytes);
     const scalar expected = dict.get<scalar>("bytes");
     if (bytes != expected)
     {
@@ -93,7 +94,7 @@ void Foam::formerRun::readProperties(const wordList& traces)
 void Foam::formerRun::checkFiles(wordList names, const wordList& traces) const
 {
     // Reading a header may be collective
-    Pstream::scatter(names);
+    releases::fromMaster(names);
     fileNameList missing(Pstream::nProcs());
 
     for (const word& name : names)
@@ -105,7 +106,7 @@ void Foam::formerRun::checkFiles(wordList names, const wordList& traces) const
         }
     }
     Pstream::gatherList(missing);
-    Pstream::scatterList(missing);
+    releases::fromMaster(missing);
 
     for (const fileName& file : missing)
     {

@@ -10,6 +10,7 @@
 #include "entryError.H"
 #include "fluidKinds.H"
 #include "fvMatrices.H"
+#include "releases.H"
 #include "switchedOffCoupling.H"
 #include "turbulenceModel.H"
 
@@ -116,10 +117,7 @@ void Foam::fv::liggghtsCoupling::checkSources() const
 void Foam::fv::liggghtsCoupling::noteRelaxation(const fvMatrix<vector>& eqn)
 {
     // As fvMatrix::relax() chooses it
-    relaxed_ = eqn.psi().select
-    (
-        mesh_.data::lookupOrDefault<bool>("finalIteration", false)
-    );
+    relaxed_ = eqn.psi().select(releases::isFinalIteration(mesh_));
     relaxation_ =
         mesh_.relaxEquation(relaxed_) ? mesh_.equationRelaxationFactor(relaxed_) : 1;
 }

@@ -29,7 +29,7 @@ public:
 
     using fluidQuantity::fluidQuantity;
 
-    virtual bool isVector() const
+    virtual bool isVector() const override
     {
         return false;
     }
@@ -45,11 +45,11 @@ public:
 
     using scalarQuantity::scalarQuantity;
 
-    virtual bool hasBoundaryValues() const
+    virtual bool hasBoundaryValues() const override
     {
         return true;
     }
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return fluid_.mesh().lookupObject<volScalarField>(type());
     }
@@ -64,7 +64,7 @@ public:
 
     using fluidQuantity::fluidQuantity;
 
-    virtual bool isVector() const
+    virtual bool isVector() const override
     {
         return true;
     }
@@ -79,7 +79,7 @@ public:
 
     using scalarQuantity::scalarQuantity;
 
-    virtual bool ofCell() const
+    virtual bool ofCell() const override
     {
         return true;
     }
@@ -93,11 +93,11 @@ struct velocityQuantity
     TypeName("U");
     using vectorQuantity::vectorQuantity;
 
-    virtual bool hasBoundaryValues() const
+    virtual bool hasBoundaryValues() const override
     {
         return true;
     }
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fluid_.velocity();
     }
@@ -120,7 +120,7 @@ struct densityQuantity
     TypeName("rho");
     using ofCellQuantity::ofCellQuantity;
 
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return fluid_.rho();
     }
@@ -134,7 +134,7 @@ struct viscosityQuantity
     TypeName("nu");
     using ofCellQuantity::ofCellQuantity;
 
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return fluid_.nu();
     }
@@ -148,7 +148,7 @@ struct effectiveViscosityQuantity
     TypeName("nuEff");
     using ofCellQuantity::ofCellQuantity;
 
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return fluid_.model() ? fluid_.nu() + fluid_.model()->nut() : fluid_.nu();
     }
@@ -162,7 +162,7 @@ struct pressureGradientQuantity
     TypeName("gradP");
     using vectorQuantity::vectorQuantity;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fluid_.feltGradP();
     }
@@ -176,7 +176,7 @@ struct fluidWeightQuantity
     TypeName("fluidWeight");
     using vectorQuantity::vectorQuantity;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fluid_.weight();
     }
@@ -190,7 +190,7 @@ struct viscousStressQuantity
     TypeName("divTau");
     using vectorQuantity::vectorQuantity;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fluid_.feltDivTau();
     }
@@ -204,7 +204,7 @@ struct vorticityQuantity
     TypeName("curlU");
     using vectorQuantity::vectorQuantity;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         // As fvc::curl does it
         return 2.0*(*skew(fluid_.gradVelocity("curl")));
@@ -219,7 +219,7 @@ struct turbulentEnergyQuantity
     TypeName("k");
     using fieldQuantity::fieldQuantity;
 
-    virtual string missing() const
+    virtual string missing() const override
     {
         return noTurbulence("k");
     }
@@ -233,7 +233,7 @@ struct dissipationQuantity
     TypeName("epsilon");
     using fieldQuantity::fieldQuantity;
 
-    virtual string missing() const
+    virtual string missing() const override
     {
         return noTurbulence("epsilon");
     }
@@ -247,7 +247,7 @@ struct temperatureQuantity
     TypeName("T");
     using fieldQuantity::fieldQuantity;
 
-    virtual string missing() const
+    virtual string missing() const override
     {
         return
             fluid_.mesh().foundObject<volScalarField>(type())
@@ -263,17 +263,17 @@ struct wallDistanceQuantity
     TypeName("wallDistance");
     using scalarQuantity::scalarQuantity;
 
-    virtual string missing() const
+    virtual string missing() const override
     {
         return
             fluid_.mesh().schemesDict().subOrEmptyDict("wallDist").found("method")
           ? string() : string("system/fvSchemes has no wallDist { method meshWave; }. Add it there");
     }
-    virtual bool hasBoundaryValues() const
+    virtual bool hasBoundaryValues() const override
     {
         return true;
     }
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return wallDist::New(fluid_.mesh()).y();
     }

@@ -81,11 +81,11 @@ public:
 
     using fluidQuantity::fluidQuantity;
 
-    virtual bool isVector() const
+    virtual bool isVector() const override
     {
         return false;
     }
-    virtual string missing() const
+    virtual string missing() const override
     {
         return noTurbulence("k");
     }
@@ -100,7 +100,7 @@ public:
 
     using ofTurbulence::ofTurbulence;
 
-    virtual bool isVector() const
+    virtual bool isVector() const override
     {
         return true;
     }
@@ -114,7 +114,7 @@ struct energyGradientQuantity
     TypeName("gradK");
     using gradientOfTurbulence::gradientOfTurbulence;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fvc::grad(k(), gradientScheme);
     }
@@ -128,11 +128,11 @@ struct turbulentSpeedQuantity
     TypeName("turbulentSpeed");
     using ofTurbulence::ofTurbulence;
 
-    virtual bool hasBoundaryValues() const
+    virtual bool hasBoundaryValues() const override
     {
         return true;
     }
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return speed();
     }
@@ -146,7 +146,7 @@ struct speedGradientQuantity
     TypeName("gradTurbulentSpeed");
     using gradientOfTurbulence::gradientOfTurbulence;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fvc::grad(speed(), gradientScheme);
     }
@@ -160,7 +160,7 @@ struct turbulentTimeQuantity
     TypeName("turbulentTime");
     using ofTurbulence::ofTurbulence;
 
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         return time();
     }
@@ -174,7 +174,7 @@ struct timeGradientQuantity
     TypeName("gradTurbulentTime");
     using gradientOfTurbulence::gradientOfTurbulence;
 
-    virtual tmp<volVectorField> vectorField() const
+    virtual tmp<volVectorField> vectorField() const override
     {
         return fvc::grad(time(), gradientScheme);
     }
@@ -188,7 +188,7 @@ struct dissipationTimeQuantity
     TypeName("dissipationTime");
     using ofTurbulence::ofTurbulence;
 
-    virtual tmp<volScalarField> scalarField() const
+    virtual tmp<volScalarField> scalarField() const override
     {
         const tmp<volScalarField> tepsilon(fluid_.model()->epsilon());
         return

@@ -6,6 +6,7 @@
 
 #include "dragLaw.H"
 #include "couplingEntries.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -34,7 +35,7 @@ void check(const Foam::dictionary& dict, const Foam::knownEntries::table& entrie
 
     // In the short form the dictionary is not that of the case
     Foam::string longForm;
-    if (!dict.name().ends_with(".forces.drag"))
+    if (!Foam::releases::isWithin(dict, "forces", "drag"))
     {
         longForm = "forces { drag { model " + nameOf(dict) + ";";
     }

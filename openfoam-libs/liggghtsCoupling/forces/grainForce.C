@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "grainForce.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,7 +25,7 @@ namespace
 Foam::string longForm(const Foam::word& name, const Foam::dictionary& dict)
 {
     return
-        dict.name().ends_with(".forces." + name)
+        Foam::releases::isWithin(dict, "forces", name)
       ? Foam::string() : "forces { drag { model ...; } " + name + " {";
 }
 

@@ -47,7 +47,7 @@ public:
         const grainBatch& grains,
         const lane& slipSpeed,
         lane& coefficient
-    ) const
+    ) const override
     {
         const lane& voidFraction = *grains.fluid(voidFraction_);
         const lane& rho = *grains.fluid(rho_);

@@ -17,11 +17,11 @@ namespace
 {
 
 // a ^ b of point i
-struct cross
+struct crossOf
 {
     double x, y, z;
 
-    cross(const Foam::tetBatch::vectors& a, const Foam::tetBatch::vectors& b, const int i)
+    crossOf(const Foam::tetBatch::vectors& a, const Foam::tetBatch::vectors& b, const int i)
     :
         x(a[1][i]*b[2][i] - a[2][i]*b[1][i]),
         y(a[2][i]*b[0][i] - a[0][i]*b[2][i]),
@@ -49,9 +49,9 @@ void Foam::tetBatch::weigh()
 {
     for (int i = 0; i < size; ++i)
     {
-        const cross between(b, d, i);
-        const cross rb(r, b, i);
-        const cross dr(d, r, i);
+        const crossOf between(b, d, i);
+        const crossOf rb(r, b, i);
+        const crossOf dr(d, r, i);
         const double ri[3] = {r[0][i], r[1][i], r[2][i]};
         const double qi[3] = {q[0][i], q[1][i], q[2][i]};
         const double side = between & ri;

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallDistance.H"
+#include "releases.H"
 #include "swapLists.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -28,7 +29,7 @@ Foam::wallDistance::wallDistance
         boxes[me].max() += vector::uniform(reach);
     }
     Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
+    releases::fromMaster(boxes);
 
     List<DynamicList<label>> sizes(Pstream::nProcs());
     List<DynamicList<point>> corners(Pstream::nProcs());

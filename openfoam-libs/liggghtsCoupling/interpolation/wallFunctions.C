@@ -8,6 +8,7 @@
 #include "couplingEntries.H"
 #include "entryError.H"
 #include "nutLowReWallFunctionFvPatchScalarField.H"
+#include "releases.H"
 #include "turbulenceModel.H"
 #include "wallFvPatch.H"
 
@@ -81,7 +82,8 @@ void Foam::wallFunctions::find()
                 }
             );
         }
-        if (patches_.size() && (function->kappa() != kappa_ || function->E() != E_))
+        const auto& constants = releases::wallConstants(*function);
+        if (patches_.size() && (constants.kappa() != kappa_ || constants.E() != E_))
         {
             couplingEntries::onMaster
             (
@@ -89,7 +91,7 @@ void Foam::wallFunctions::find()
                 {
                     FatalIOErrorInEntry(dict_, "wallLaw")
                         << "wallLaw needs the same constants on all walls, but " << nut.name()
-                        << " has kappa " << function->kappa() << ", E " << function->E()
+                        << " has kappa " << constants.kappa() << ", E " << constants.E()
                         << " on patch " << patch.name() << " and kappa " << kappa_ << ", E " << E_
                         << " on patch " << nut.mesh().boundary()[patches_[0]].name()
                         << ". Make them equal, or remove wallLaw" << exit(FatalIOError);
@@ -97,10 +99,10 @@ void Foam::wallFunctions::find()
             );
         }
         patches_.append(patch.index());
-        kappa_ = function->kappa();
-        E_ = function->E();
-        Cmu_ = function->Cmu();
-        sublayerEdge_ = function->yPlusLam();
+        kappa_ = constants.kappa();
+        E_ = constants.E();
+        Cmu_ = constants.Cmu();
+        sublayerEdge_ = constants.yPlusLam();
     }
 
     if (patches_.empty())

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ownerRoute.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -20,7 +21,7 @@ Foam::List<Foam::boundBox> Foam::ownerRoute::meshBoxes(const polyMesh& mesh)
     }
 
     Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
+    releases::fromMaster(boxes);
 
     return boxes;
 }

@@ -8,6 +8,7 @@
 #include "coupledPolyPatch.H"
 #include "couplingEntries.H"
 #include "gaussLaplacianScheme.H"
+#include "releases.H"
 #include "surfaceFields.H"
 #include "Switch.H"
 #include "zeroGradientFvPatchFields.H"
@@ -292,7 +293,7 @@ bool Foam::grainFilter::spread(UList<scalarField>& amounts)
     }
     scales.last() = sum(mesh_.V().field());
     Pstream::listCombineGather(scales, plusEqOp<scalar>());
-    Pstream::listCombineScatter(scales);
+    releases::fromMaster(scales);
 
     bool any = false;
     forAll(amounts, i)

@@ -5,8 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "crossingEvents.H"
-#include "OFstream.H"
-#include "Pstream.H"
+#include "releases.H"
 #include <algorithm>
 #include <tuple>
 
@@ -80,14 +79,7 @@ void Foam::crossingEvents::write(const fileName& path)
         }
     );
 
-    OFstream os
-    (
-        path,
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        begun_
-    );
+    releases::textFile os(path, begun_);
     os.precision(12);
 
     if (!begun_)

@@ -8,6 +8,7 @@
 #include "localEulerDdtScheme.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
+#include "releases.H"
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -294,7 +295,7 @@ void Foam::functionObjects::particleSamplingPlanes::makeFolder
 
         made = isDir(folder());
     }
-    Pstream::scatter(made);
+    releases::fromMaster(made);
 
     if (!made)
     {
@@ -350,7 +351,7 @@ bool Foam::functionObjects::particleSamplingPlanes::sampledBefore() const
             earlier.append(i.name());
         }
     }
-    Pstream::scatter(earlier);
+    releases::fromMaster(earlier);
 
     for (const word& timeName : earlier)
     {
@@ -374,7 +375,7 @@ bool Foam::functionObjects::particleSamplingPlanes::sampledBefore() const
             tables = tables || (readScalar(dir, value) && value < start - margin);
         }
     }
-    Pstream::scatter(tables);
+    releases::fromMaster(tables);
 
     return tables;
 }

@@ -7,7 +7,7 @@
 #include "particleSamplingPlanes.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "PstreamCombineReduceOps.H"
+#include "releases.H"
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -84,7 +84,7 @@ Foam::functionObjects::particleSamplingPlanes::combinedState() const
     }
 
     Pstream::combineGather(state, mergeRings());
-    Pstream::scatter(state);
+    releases::fromMaster(state);
     return state;
 }
 

@@ -47,7 +47,7 @@ Foam::samplingState::samplingState
     functionObjects::particleSamplingPlanes& owner
 )
 :
-    regIOobject
+    releases::writtenWithFields
     (
         IOobject
         (
@@ -97,7 +97,7 @@ bool Foam::samplingState::exists
 {
     const fileName found
     (
-        typeFilePath<IOdictionary>(file(time, name, timeName), false)
+        file(time, name, timeName).globalFilePath(IOdictionary::typeName, false)
     );
 
     return returnReduce(!found.empty(), orOp<bool>());
@@ -157,24 +157,12 @@ void Foam::samplingState::write
 
     // All digits, whatever the run writes its fields with
     const unsigned int precision = IOstream::defaultPrecision(17);
-    dict.regIOobject::writeObject
-    (
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
-    );
+    releases::writeText(dict);
     IOstream::defaultPrecision(precision);
 }
 
 
-bool Foam::samplingState::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::samplingState::writeFiles() const
 {
     owner_->keepState();
     return true;

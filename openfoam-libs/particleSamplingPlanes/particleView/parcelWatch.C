@@ -5,8 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelWatch.H"
-#include "PstreamCombineReduceOps.H"
 #include "ops.H"
+#include "PstreamReduceOps.H"
+#include "releases.H"
 #include <unordered_map>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -80,7 +81,7 @@ Foam::particleState Foam::parcelWatch::gone(const particleState& now) const
         mine[k] = watched_.key(missing[k]);
     }
     Pstream::gatherList(asked);
-    Pstream::scatterList(asked);
+    releases::fromMaster(asked);
 
     std::vector<int64_t> all;
     label firstMine = 0;
@@ -100,7 +101,7 @@ Foam::particleState Foam::parcelWatch::gone(const particleState& now) const
         ranksWithIt[i] = found[i];
     }
     Pstream::listCombineGather(ranksWithIt, plusEqOp<label>());
-    Pstream::listCombineScatter(ranksWithIt);
+    releases::fromMaster(ranksWithIt);
 
     DynamicList<label> nowhere;
     forAll(missing, k)

@@ -86,10 +86,28 @@ class Allwmake(grainjet.Case):
 
     def test_phases_of_another_version(self):
         """Where their headers lie elsewhere the library for them is left out, and the rest is built."""
-        self.phases.rmdir()
-        result, calls = self.allwmake()
-        self.assertEqual(result.code, 0, result)
-        self.assertEqual([f"{library}: wmake -s libso" in calls for library in LIBRARIES], [True]*5 + [False])
+        for folder, built in (("reactingEuler", True), ("elsewhere", False)):
+            with self.subTest(folder):
+                self.phases = self.phases.rename(self.phases.parent / folder)
+                result, calls = self.allwmake()
+                self.assertEqual(result.code, 0, result)
+                self.assertEqual([f"{library}: wmake -s libso" in calls for library in LIBRARIES], [True]*5 + [built])
+
+    def test_turbulence_of_DPMFoam(self):
+        """From v2012 on its header lies with the solver; an OpenFOAM without it is told apart."""
+        words = "jetKEpsilon for DPMFoam and MPPICFoam is left out"
+        foam = self.env["WM_PROJECT_DIR"]
+        for release, there, told in ((1912, False, False), (2012, False, True), (2506, True, False)):
+            with self.subTest(release=release):
+                (foam / "META-INFO/api-info").write_text(f"api={release}\npatch=0\n")
+                if there:
+                    header = foam / ("applications/solvers/lagrangian/DPMFoam/DPMTurbulenceModels/"
+                                     "DPMIncompressibleTurbulenceModel.H")
+                    header.parent.mkdir(parents=True)
+                    header.write_text("")
+                result, _ = self.allwmake()
+                self.assertEqual(result.code, 0, result)
+                self.assertEqual(words in result.output, told, result)
 
     def test_without_tests(self):
         """No package for tests is asked for, the plugins' tests are off, all products are built."""
