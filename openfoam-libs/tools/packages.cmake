@@ -92,6 +92,8 @@ function(package_of variable file)
   set(${variable} "${found}" PARENT_SCOPE)
 endfunction()
 
+# ./Allwmake has built all of it before
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_PACKAGE_NAME grainjet)
 set(CPACK_PACKAGE_VENDOR "The Grainjet developers")
 # whoever makes the package is asked about it; Debian's own tools read this variable too
