@@ -84,7 +84,8 @@ fits()
 # A packed Grainjet is complete.
 prepare()
 {
-    [ -w . ] || fail "the folder $PWD cannot be written to: copy it to one of your own and run ./Allrun there"
+    # in the folder of a case; cases/Allrun has its runs elsewhere
+    [ ! -d system ] || [ -w . ] || fail "the folder $PWD cannot be written to: copy it to one of your own and run ./Allrun there"
     if [ -x "$root/Allwmake" ]
     then
         built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
