@@ -22,6 +22,7 @@ import sys
 import numpy
 
 import check
+import plate
 from grainjet import tables
 
 COLUMNS = ("crossings", "flux_weighted_mean_axial", "stderr_flux_weighted_mean_axial",
@@ -135,7 +136,6 @@ def main():
         "checks": [{"holds": bool(held), "text": text} for held, text in judged]}
     hits = folder/"postProcessing"/"plate"/"events.csv"
     if hits.exists():
-        import plate        # needs SciPy, which no other result does
         found = plate.statistics(hits, p)
         (out/"plate.json").write_text(json.dumps(found, indent=1) + "\n")
         plate.density_plot(hits, p, out/"plate.png")

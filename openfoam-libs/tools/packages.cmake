@@ -132,9 +132,7 @@ if(liggghts AND openfoam AND DPKG_SHLIBDEPS)
   string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS
     "${liggghts_name} (= ${liggghts_version})" liggghts
     "${openfoam_name} (>= ${openfoam_upstream})" "${openfoam_name} (<< ${openfoam_upstream}.)" openfoam
-    openmpi-bin python3 python3-matplotlib python3-numpy python3-vtk9)
-  # for statistics of a plate's hits (cases/common/plate.py); it brings a compiler with it
-  set(CPACK_DEBIAN_PACKAGE_SUGGESTS python3-scipy)
+    openmpi-bin python3 python3-matplotlib python3-numpy python3-scipy python3-vtk9)
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)
   set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

@@ -109,7 +109,8 @@ class Deb(Package):
         upstream = version.rsplit("-", 1)[0]
         self.assertIn(f"{name} (>= {upstream})", depends)
         self.assertIn(f"{name} (<< {upstream}.)", depends)
-        for name in ("liggghts", "openfoam", "openmpi-bin", "python3", "python3-numpy", "python3-matplotlib", "python3-vtk9"):
+        for name in ("liggghts", "openfoam", "openmpi-bin", "python3", "python3-numpy", "python3-scipy", "python3-matplotlib",
+                     "python3-vtk9"):
             self.assertIn(name, depends)
         self.assertTrue([name for name in depends if name.startswith("libopenmpi")], depends)
 
