@@ -1,6 +1,7 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
+# label: long
 """The packages of this build, looked at and used without being installed: content, dependencies, version, no path of
 the build; cases from the tarball. validation/packaging/clean_root installs the .deb in a system of its own."""
 
