@@ -49,7 +49,10 @@ def parameters(settings):
 
 
 def commit():
-    """The commit a run was made with; marked if files differ from it."""
+    """The commit a run was made with; marked if files differ from it. Unknown of a packed Grainjet."""
+    if not shutil.which("git"):
+        return "unknown"
+
     def git(*words):
         return subprocess.run(["git", "-c", f"safe.directory={CASES.parent}", "-C", CASES.parent, *words],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout.strip()

@@ -68,11 +68,32 @@ built()
     done
 }
 
-# Builds Grainjet first if that was not done; afterwards its programs and libraries work
+# fits: stop if the packed Grainjet is for another OpenFOAM than the one that would run
+fits()
+{
+    local wanted found
+    wanted=$(sed -n 's/^OpenFOAM v//p' "$root/built-for")
+    found=$(blockMesh -help 2>&1 | sed -n 's/^Using: .*(\([0-9]*\)).*/\1/p') || true
+    [ -n "$found" ] || fail "there is no OpenFOAM that works: install the package openfoam, or source one of v$wanted"
+    [ "$found" = "$wanted" ] ||
+        fail "the Grainjet in $root is for OpenFOAM v$wanted, but v$found is the one that runs ($(command -v blockMesh)):" \
+            "use a shell without it, or build Grainjet for it (Allwmake of the source)"
+}
+
+# Builds Grainjet first if that was not done; afterwards its programs and libraries work.
+# A packed Grainjet is complete.
 prepare()
 {
-    built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
-    . "$root/environment"
+    # in the folder of a case; cases/Allrun has its runs elsewhere
+    [ ! -d system ] || [ -w . ] || fail "the folder $PWD cannot be written to: copy it to one of your own and run ./Allrun there"
+    if [ -x "$root/Allwmake" ]
+    then
+        built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
+        . "$root/environment"
+    else
+        . "$root/environment"
+        fits
+    fi
 }
 
 # a plain number of system/parameters

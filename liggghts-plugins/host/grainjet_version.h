@@ -8,8 +8,8 @@
 #define GRAINJET_VERSION_H
 
 /* The version of Grainjet, with which plugins, loader and coupling are stamped: parts of two
-   versions hand each other data of different layout and refuse each other. Both builds read
-   it here; CMake compares it with the version of its project.                          */
+   versions hand each other data of different layout and refuse each other. This is the only place
+   of the version: both builds and the packages read it here.                           */
 #define GRAINJET_VERSION "0.6.0"
 
 #endif

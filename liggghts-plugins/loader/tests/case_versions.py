@@ -18,8 +18,12 @@ VERSION = re.search(r'#define GRAINJET_VERSION "(.*)"', HEADER).group(1)
 class Versions(LoaderCase):
 
     def test_one_version_for_both_builds(self):
-        project = re.search(r"project\(grainjet VERSION (\S+)", (grainjet.ROOT / "CMakeLists.txt").read_text())
-        self.assertEqual(project.group(1), VERSION)
+        """It stands in the header alone; CMake's is that one, and the first entry of the changes is for it."""
+        cache = (grainjet.ROOT / "build/CMakeCache.txt").read_text()
+        self.assertIn(f"CMAKE_PROJECT_VERSION:STATIC={VERSION}\n", cache)
+        self.assertNotIn(VERSION, (grainjet.ROOT / "CMakeLists.txt").read_text())
+        changes = re.findall(r"(?m)^## (\S+), \d{4}-\d\d-\d\d$", (grainjet.ROOT / "docs/CHANGELOG.md").read_text())
+        self.assertEqual(changes[0], VERSION)
 
     def test_every_part_is_stamped(self):
         for name in ("hertzcgplugin", "platestatsplugin", "fluidforceplugin", "wallroughnessplugin", "liggghtsloader"):

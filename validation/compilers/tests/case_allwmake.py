@@ -13,16 +13,18 @@ import tempfile
 import unittest
 
 import grainjet
+from grainjet import openfoam_tree
 
 # what the programs do besides writing down their call; `id` makes a superuser of everybody
 PROGRAMS = {
     "cmake": "", "wmake": '[ "$1" != -show-cxx ] || echo g++ -std=c++11', "wmakeLnInclude": "", "apt-get": "",
+    "apt-cache": 'case "$UNKNOWN" in *" $2 "*) ;; *) echo "  Candidate: 1.0" ;; esac',
     "dpkg-query": 'case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac', "id": "echo 0",
     "g++": 'case "$*" in *-dM*) echo "#define __GNUC__ 12" ;; *) echo "g++ $VERSION" ;; esac',
     "clang++": 'case "$*" in *-dM*) echo "#define __GNUC__ 4"; echo "#define __clang__ 1" ;; *) echo "clang $VERSION" ;; esac',
     "othercompiler": "",
 }
-SILENT = ("dpkg-query", "id", "g++", "clang++", "othercompiler")    # only asked for something
+SILENT = ("apt-cache", "dpkg-query", "id", "g++", "clang++", "othercompiler")    # only asked for something
 LIBRARIES = ("jetTurbulenceModels", "particleSamplingPlanes", "liggghtsCoupling", "jetVoFphaseTurbulenceModels",
              "jetTwoPhaseMixtureTurbulenceModels", "jetReactingPhaseTurbulenceModels")
 OF_TESTS = ("libgtest-dev", "python3", "python3-numpy", "python3-scipy", "python3-matplotlib", "python3-vtk9")
@@ -49,15 +51,10 @@ class Allwmake(grainjet.Case):
 
         # an OpenFOAM as a user sources it
         foam = self.folder / "openfoam"
-        (foam / "META-INFO").mkdir(parents=True)
-        (foam / "META-INFO/api-info").write_text("api=1912\n")
-        (foam / "wmake").mkdir()
+        self.env = {**openfoam_tree.make(foam, programs / "wmake"), "PATH": f"{programs}:{grainjet.ENV['PATH']}",
+                    "ABSENT": "", "UNKNOWN": "", "VERSION": "1"}
         self.phases = foam / "src/phaseSystemModels/reactingEulerFoam"
         self.phases.mkdir(parents=True)
-        shutil.copy(programs / "wmake", foam / "wmake/wmake")
-        self.env = {"PATH": f"{programs}:{grainjet.ENV['PATH']}", "WM_PROJECT_DIR": foam, "WM_PROJECT_VERSION": "v1912",
-                    "WM_COMPILER": "Gcc", "WM_OPTIONS": "linux64", "WM_PRECISION_OPTION": "DP",
-                    "CXX": "", "FOAM_USER_LIBBIN": "", "ABSENT": "", "VERSION": "1"}
 
     def allwmake(self, *arguments, **variables):
         """Its result, and the calls of the programs."""
@@ -124,10 +121,36 @@ class Allwmake(grainjet.Case):
         _, calls = self.allwmake(ABSENT=absent)
         self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
 
+    def test_packages(self):
+        """Made last, of what has been built; the package that makes them is asked for then only."""
+        for arguments, tests in ((["-package"], "ON"), (["-no-tests", "-package"], "OFF"), (["-package", "-no-tests"], "OFF")):
+            with self.subTest(arguments):
+                result, calls = self.allwmake(*arguments, ABSENT=" dpkg-dev ")
+                self.assertEqual(result.code, 0, result)
+                self.assertIn(f" -DGRAINJET_TESTS={tests} ", self.one(calls, "cmake -S"))
+                self.assertTrue(self.one(calls, "apt-get").endswith(" install dpkg-dev"), calls)
+                self.assertTrue(calls[-1].endswith("cmake --build build --target package"), calls)
+        _, calls = self.allwmake(ABSENT=" dpkg-dev ")
+        self.assertEqual([call for call in calls if "apt-get" in call or "package" in call], [])
+
+    def test_packages_that_the_system_has_not(self):
+        """Which one, what takes its place; nothing is installed, after the lists have been fetched once."""
+        for package, remedy in (("liggghts", "LIGGGHTS_ROOT"), ("libliggghts-dev", "LIGGGHTS_ROOT"),
+                                ("librandom123-dev", "universe"), ("python3-vtk9", "-no-tests")):
+            with self.subTest(package):
+                result, calls = self.allwmake(ABSENT=f" cmake {package} ", UNKNOWN=f" {package} ")
+                self.assertFails(result, "in none of the archives", f": {package}\n", remedy, "Nothing has been")
+                self.assertEqual([call.split(": ")[1] for call in calls], ["apt-get -q update"])
+
+        # without an OpenFOAM that is sourced
+        result, calls = self.allwmake(ABSENT=" openfoam ", UNKNOWN=" openfoam ", WM_PROJECT_DIR="")
+        self.assertFails(result, "in none of the archives", "openfoam: source an OpenFOAM of openfoam.com")
+        self.assertEqual([call.split(": ")[1] for call in calls], ["apt-get -q update"])
+
     def test_unknown_arguments(self):
         for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):
             with self.subTest(arguments):
-                self.assertRefused(["unknown argument: " + " ".join(arguments), "./Allwmake [-no-tests]"], *arguments)
+                self.assertRefused(["unknown argument: " + " ".join(arguments), "./Allwmake [-no-tests] [-package]"], *arguments)
 
     def test_compiler(self):
         """The compiler of CXX, else the one of OpenFOAM, for the plugins as well."""
