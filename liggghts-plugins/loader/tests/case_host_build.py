@@ -40,10 +40,10 @@ class HostBuild(LoaderCase):
     def test_script_and_process_say_the_same(self):
         """By build ID and, where there is none, by checksum; what is compiled with it then fits."""
         normal = host_version()
-        self.assertRegex(normal, r"^LIGGGHTS-PUBLIC [0-9.]+, build [0-9a-f]{16,}$")
+        self.assertRegex(normal, r"^LIGGGHTS-PUBLIC [0-9.]+, SMALLBIG [A-Za-z ]+, build [0-9a-f]{16,}$")
         other = host_library.copy(self.folder / "other", host_library.other_build)
         none = host_library.copy(self.folder / "none", host_library.no_build)
-        self.assertRegex(host_version(none), r"^LIGGGHTS-PUBLIC [0-9.]+, checksum [0-9]+ [0-9]+$")
+        self.assertRegex(host_version(none), r"^LIGGGHTS-PUBLIC [0-9.]+, SMALLBIG [A-Za-z ]+, checksum [0-9]+ [0-9]+$")
 
         stamps = [host_version(library) for library in (host_library.installed(), other, none)]
         self.assertEqual(stamps[0], normal)
