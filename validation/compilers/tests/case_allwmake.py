@@ -13,6 +13,7 @@ import tempfile
 import unittest
 
 import grainjet
+from grainjet import host_library
 
 # what the programs do besides writing down their call; `id` makes a superuser of everybody
 PROGRAMS = {
@@ -57,7 +58,7 @@ class Allwmake(grainjet.Case):
         shutil.copy(programs / "wmake", foam / "wmake/wmake")
         self.env = {"PATH": f"{programs}:{grainjet.ENV['PATH']}", "WM_PROJECT_DIR": foam, "WM_PROJECT_VERSION": "v1912",
                     "WM_COMPILER": "Gcc", "WM_OPTIONS": "linux64", "WM_PRECISION_OPTION": "DP",
-                    "CXX": "", "FOAM_USER_LIBBIN": "", "ABSENT": "", "VERSION": "1"}
+                    "CXX": "", "FOAM_USER_LIBBIN": "", "ABSENT": "", "VERSION": "1", "LIGGGHTS_ROOT": ""}
 
     def allwmake(self, *arguments, **variables):
         """Its result, and the calls of the programs."""
@@ -105,6 +106,28 @@ class Allwmake(grainjet.Case):
         # the same with tests: these packages and no others
         _, calls = self.allwmake(ABSENT=absent)
         self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
+
+    def test_liggghts_of_ones_own(self):
+        """LIGGGHTS_ROOT: Debian's packages of it are not asked for, and CMake gets it; what cannot be used is refused."""
+        absent = " liggghts libliggghts-dev "
+        _, calls = self.allwmake(ABSENT=absent)
+        self.assertTrue(self.one(calls, "apt-get").endswith(" install liggghts libliggghts-dev"), calls)
+
+        root = host_library.root(self.folder / "liggghts")
+        result, calls = self.allwmake(ABSENT=absent, LIGGGHTS_ROOT=root)
+        self.assertEqual(result.code, 0, result)
+        self.assertIn(f" -DLIGGGHTS_ROOT={root}", self.one(calls, "cmake -S"))
+        self.assertEqual([call for call in calls if "apt-get" in call], [])
+
+        (root / "bin/liggghts").unlink()
+        self.assertRefusedByLiggghts("no program bin/liggghts", LIGGGHTS_ROOT=root)
+
+    def assertRefusedByLiggghts(self, *words, **variables):
+        """One message before anything is configured or compiled."""
+        result, calls = self.allwmake(**variables)
+        self.assertFails(result, *words)
+        self.assertEqual(result.output.count("host-version: "), 1, result)
+        self.assertEqual([call for call in calls if "cmake" in call or "libso" in call], [])
 
     def test_unknown_arguments(self):
         for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):
