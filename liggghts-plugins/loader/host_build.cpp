@@ -35,7 +35,7 @@ typedef std::uint32_t Word;
 const char *const supported = "LIGGGHTS-PUBLIC 3.8.0";
 
 // The library of LIGGGHTS as it lies in memory
-struct Image {
+struct HostImage {
   ElfW(Addr) inside;                      // an address in it
   std::string build;                      // its build ID, empty if it has none
   std::vector<std::string_view> constants;  // what cannot be written to
@@ -66,7 +66,7 @@ std::string build_id(const char *notes, std::size_t size, std::size_t align)
 // called for each library of the process; the result ends the search
 int examine(dl_phdr_info *library, size_t, void *result)
 {
-  Image &image = *static_cast<Image *>(result);
+  HostImage &image = *static_cast<HostImage *>(result);
   bool found = false;
   for (int n = 0; n < library->dlpi_phnum; n++) {
     const ElfW(Phdr) &part = library->dlpi_phdr[n];
@@ -84,9 +84,9 @@ int examine(dl_phdr_info *library, size_t, void *result)
   return found;
 }
 
-Image host_image()
+HostImage host_image()
 {
-  Image image = {reinterpret_cast<ElfW(Addr)>(grainjet::host_landmark()), "", {}};
+  HostImage image = {reinterpret_cast<ElfW(Addr)>(grainjet::host_landmark()), "", {}};
   if (image.inside) dl_iterate_phdr(examine, &image);
   return image;
 }
@@ -116,7 +116,7 @@ std::string checksum(const std::string &path)
 }
 
 // "LIGGGHTS-PUBLIC 3.8.0" of the text "LIGGGHTS-PUBLIC 3.8.0, compiled ..." in the library
-std::string version(const Image &image)
+std::string version(const HostImage &image)
 {
   const std::string_view name = "LIGGGHTS-", end = ", compiled";
   for (const std::string_view part : image.constants)
@@ -129,7 +129,7 @@ std::string version(const Image &image)
 }
 
 // what host-version finds by nm, in the same words
-std::string options(const Image &image)
+std::string options(const HostImage &image)
 {
   Dl_info info, found;
   if (!image.inside || !dladdr(reinterpret_cast<void *>(image.inside), &info)) return "";
@@ -174,7 +174,7 @@ std::string difference(const std::string &one, const std::string &other)
     ". Calls and classes of the two differ";
 }
 
-std::string identity_of(const Image &image)
+std::string identity_of(const HostImage &image)
 {
   if (!image.build.empty()) return "build " + image.build;
   Dl_info info;
@@ -195,7 +195,7 @@ std::string grainjet::host_build::identity()
 
 std::string grainjet::host_build::stamp()
 {
-  const Image image = host_image();
+  const HostImage image = host_image();
   return version(image) + ", " + options(image) + ", " + identity_of(image);
 }
 

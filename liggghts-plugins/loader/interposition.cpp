@@ -79,4 +79,4 @@ std::string grainjet::interposition::program()
 
 const char *const grainjet::interposition::own_calls =
   "LIGGGHTS calls its own functions where others have been put in their place, so it knows no plugin. Its library was linked with "
-  "-Bsymbolic, -Bsymbolic-functions or -flto, or compiled with -fno-semantic-interposition: build it without (docs/loader.md)";
+  "-Bsymbolic or -Bsymbolic-functions, or compiled with -fno-semantic-interposition: build it without (docs/loader.md)";

@@ -28,11 +28,20 @@ def installed():
     return pathlib.Path(_linked()[1]).resolve()
 
 
+def _said(option):
+    """What host-version prints of the LIGGGHTS that is built for."""
+    return subprocess.run([ROOT / "liggghts-plugins/loader/host-version", option], check=True, stdout=subprocess.PIPE,
+                          text=True, env=ENV).stdout.strip()
+
+
 def part(option):
     """A part of the LIGGGHTS that is built for: -program, -library, -headers."""
-    found = subprocess.run([ROOT / "liggghts-plugins/loader/host-version", option], check=True, stdout=subprocess.PIPE,
-                           text=True, env=ENV)
-    return pathlib.Path(found.stdout.strip())
+    return pathlib.Path(_said(option))
+
+
+def flags():
+    """What is compiled with against it, as words."""
+    return _said("-flags").split()
 
 
 def sections(content):
