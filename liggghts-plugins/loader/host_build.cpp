@@ -9,20 +9,33 @@
 #include "loader/host_function.h"
 
 #include <link.h>
+#include <mpi.h>
 #include <string.h>
 
 #include <cctype>
 #include <cstdint>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 #include <vector>
+
+#if defined(LIGGGHTSPLUGIN_HOST) && defined(OPEN_MPI)
+static_assert(std::string_view(LIGGGHTSPLUGIN_HOST).find(" OpenMPI") != std::string_view::npos,
+              "LIGGGHTS was built with another MPI than this mpi.h, Open MPI's: both must be the same");
+#elif defined(LIGGGHTSPLUGIN_HOST)
+static_assert(std::string_view(LIGGGHTSPLUGIN_HOST).find(" OpenMPI") == std::string_view::npos,
+              "LIGGGHTS was built with Open MPI, but this mpi.h is another's: both must be the same");
+#endif
 
 namespace {
 
 typedef std::uint32_t Word;
 
+// the one that all classes are known of
+const char *const supported = "LIGGGHTS-PUBLIC 3.8.0";
+
 // The library of LIGGGHTS as it lies in memory
-struct Image {
+struct HostImage {
   ElfW(Addr) inside;                      // an address in it
   std::string build;                      // its build ID, empty if it has none
   std::vector<std::string_view> constants;  // what cannot be written to
@@ -53,7 +66,7 @@ std::string build_id(const char *notes, std::size_t size, std::size_t align)
 // called for each library of the process; the result ends the search
 int examine(dl_phdr_info *library, size_t, void *result)
 {
-  Image &image = *static_cast<Image *>(result);
+  HostImage &image = *static_cast<HostImage *>(result);
   bool found = false;
   for (int n = 0; n < library->dlpi_phnum; n++) {
     const ElfW(Phdr) &part = library->dlpi_phdr[n];
@@ -71,9 +84,9 @@ int examine(dl_phdr_info *library, size_t, void *result)
   return found;
 }
 
-Image host_image()
+HostImage host_image()
 {
-  Image image = {reinterpret_cast<ElfW(Addr)>(grainjet::host_landmark()), "", {}};
+  HostImage image = {reinterpret_cast<ElfW(Addr)>(grainjet::host_landmark()), "", {}};
   if (image.inside) dl_iterate_phdr(examine, &image);
   return image;
 }
@@ -103,19 +116,65 @@ std::string checksum(const std::string &path)
 }
 
 // "LIGGGHTS-PUBLIC 3.8.0" of the text "LIGGGHTS-PUBLIC 3.8.0, compiled ..." in the library
-std::string version(const Image &image)
+std::string version(const HostImage &image)
 {
   const std::string_view name = "LIGGGHTS-", end = ", compiled";
   for (const std::string_view part : image.constants)
     for (std::size_t at = part.find(name); at != part.npos; at = part.find(name, at + 1)) {
       std::size_t last = at + name.size();
-      while (last < part.size() && (isalnum(static_cast<unsigned char>(part[last])) || part[last] == '.' || part[last] == ' ')) last++;
+      while (last < part.size() && (isalnum(static_cast<unsigned char>(part[last])) || strchr(". -_", part[last]))) last++;
       if (part.compare(last, end.size(), end) == 0) return std::string(part.substr(at, last - at));
     }
   return "LIGGGHTS of unknown version";
 }
 
-std::string identity_of(const Image &image)
+// what host-version finds by nm, in the same words
+std::string options(const HostImage &image)
+{
+  Dl_info info, found;
+  if (!image.inside || !dladdr(reinterpret_cast<void *>(image.inside), &info)) return "";
+  void *file = dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  const auto has = [&](const char *symbol) {
+    const void *place = dlsym(file ? file : RTLD_DEFAULT, symbol);
+    return place && dladdr(place, &found) && found.dli_fbase == info.dli_fbase;
+  };
+
+  std::string words = has("_ZN9LAMMPS_NS6Modify15addstep_computeEi") ? "SMALLSMALL" :
+    has("_ZN9LAMMPS_NS6Domain5unmapEPdl") ? "BIGBIG" : "SMALLBIG";
+  words += has("_ZN9LAMMPS_NS6LAMMPSC1EiPPcP19ompi_communicator_t") ? " OpenMPI" : has("MPI_Init") ? " no-MPI" : " MPICH";
+  if (has("_ZN9LAMMPS_NS19AtomVecSuperquadricC1EPNS_6LAMMPSE")) words += " superquadrics";
+  if (has("_ZN9LAMMPS_NS7DumpVTKC1EPNS_6LAMMPSE")) words += " VTK";
+  return words;
+}
+
+// the options in a stamp: what lies between its first and its last comma
+std::string options_of(const std::string &stamp)
+{
+  const std::size_t begin = stamp.find(", "), end = stamp.rfind(", ");
+  return begin == stamp.npos || begin == end ? "" : stamp.substr(begin + 2, end - begin - 2);
+}
+
+// the words of the first that are not in the second
+std::string only_in(const std::string &first, const std::string &second)
+{
+  std::istringstream words(first);
+  std::string result;
+  for (std::string word; words >> word;)
+    if ((" " + second + " ").find(" " + word + " ") == std::string::npos) result += " " + word;
+  return result;
+}
+
+// in what the stamps of two builds differ, as sentences
+std::string difference(const std::string &one, const std::string &other)
+{
+  const std::string first = options_of(one), second = options_of(other);
+  const std::string lost = first.empty() ? "" : only_in(first, second), added = first.empty() ? "" : only_in(second, first);
+  if (lost.empty() && added.empty()) return ". The classes of two builds of LIGGGHTS may differ";
+  return (lost.empty() ? "" : ". Only the former has" + lost) + (added.empty() ? "" : ". Only the latter has" + added) +
+    ". Calls and classes of the two differ";
+}
+
+std::string identity_of(const HostImage &image)
 {
   if (!image.build.empty()) return "build " + image.build;
   Dl_info info;
@@ -136,8 +195,8 @@ std::string grainjet::host_build::identity()
 
 std::string grainjet::host_build::stamp()
 {
-  const Image image = host_image();
-  return version(image) + ", " + identity_of(image);
+  const HostImage image = host_image();
+  return version(image) + ", " + options(image) + ", " + identity_of(image);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -147,7 +206,11 @@ std::string grainjet::host_build::misfit(const std::string &stamp)
   // the library does not change while it runs
   static const std::string end = ", " + identity();
   if (stamp.size() >= end.size() && stamp.compare(stamp.size() - end.size(), end.size(), end) == 0) return "";
-  return "was built for " + stamp + ", but this is " + host_build::stamp() +
-    ". The classes of two builds of LIGGGHTS may differ. Build it again for this LIGGGHTS: ./Allwmake in Grainjet's folder "
-    "for its own parts";
+
+  const std::string here = host_build::stamp(), known = std::string(supported) + ",";
+  std::string text = "was built for " + stamp + ", but this is " + here;
+  if (here.compare(0, known.size(), known) != 0)
+    return text + ". Grainjet is for the public version 3.8.0 only (" + supported + "), since classes of other versions differ";
+  return text + difference(stamp, here) + ". Build it again for this LIGGGHTS: ./Allwmake in Grainjet's folder "
+    "for its own parts. If another LIGGGHTS is meant, LIGGGHTS_ROOT names it";
 }

@@ -16,11 +16,13 @@
    the version is not enough. A stamp (LIGGGHTSPLUGIN_HOST, made by the script host-version)
    names one build of the library:
 
-     LIGGGHTS-PUBLIC 3.8.0, build <build ID that the linker has put into it>
-     LIGGGHTS-PUBLIC 3.8.0, checksum <POSIX checksum and size of the file>
+     LIGGGHTS-PUBLIC 3.8.0, <options>, build <build ID that the linker has put into it>
+     LIGGGHTS-PUBLIC 3.8.0, <options>, checksum <POSIX checksum and size of the file>
 
-   the latter for a library without a build ID. All of this is read from the library itself
-   and not through its classes.                                                            */
+   the latter for a library without a build ID. The options are those that change what calls
+   and classes look like, or what can be loaded, as words: the sizes of integers (SMALLBIG,
+   BIGBIG, SMALLSMALL), the MPI (OpenMPI, MPICH), superquadrics, VTK. All of this is read from
+   the library itself and not through its classes.                                         */
 
 namespace grainjet {
 namespace host_build {

@@ -64,3 +64,19 @@ std::string grainjet::interposition::loader_fault()
 {
   return fault_of(of_the_loader, true);
 }
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::interposition::program()
+{
+  char *real = realpath("/proc/self/exe", NULL);
+  const std::string path = real ? real : "the program";
+  free(real);
+  return path;
+}
+
+/* ---------------------------------------------------------------------- */
+
+const char *const grainjet::interposition::own_calls =
+  "LIGGGHTS calls its own functions where others have been put in their place, so it knows no plugin. Its library was linked with "
+  "-Bsymbolic or -Bsymbolic-functions, or compiled with -fno-semantic-interposition: build it without (docs/loader.md)";

@@ -30,6 +30,13 @@ namespace interposition {
   // preloaded one beside a coupling: they call each other in turn
   std::string loader_fault();
 
+  // the program that runs, as a path
+  std::string program();
+
+  // why a LIGGGHTS that knows no `plugin` does so, as sentences: it does not call the
+  // functions that lie first in the linker's search order
+  extern const char *const own_calls;
+
 }
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -27,6 +28,18 @@ template <class Entry> std::vector<Entry> table(std::ifstream &file, Bytes place
   file.read(reinterpret_cast<char *>(entries.data()), static_cast<std::streamsize>(count * sizeof(Entry)));
   entries.resize(static_cast<Bytes>(file.gcount()) / sizeof(Entry));
   return entries;
+}
+
+// the kind of machine that a header names; empty if it is none that is known here, as in a damaged file
+std::string machine(const ElfW(Ehdr) &header)
+{
+  const std::pair<int, const char *> known[] = {{EM_X86_64, "x86-64"}, {EM_386, "i386"}, {EM_AARCH64, "aarch64"},
+    {EM_ARM, "arm"}, {EM_RISCV, "RISC-V"}, {EM_PPC64, "ppc64"}, {EM_S390, "s390"}, {EM_MIPS, "MIPS"}};
+  for (const auto &kind : known)
+    if (header.e_machine == kind.first)
+      return std::string(kind.second) + (header.e_ident[EI_CLASS] == ELFCLASS64 ? ", 64 bits" : ", 32 bits") +
+        (header.e_ident[EI_DATA] == ELFDATA2LSB ? "" : ", big endian");
+  return "";
 }
 
 std::string too_short(Bytes size, Bytes needed)
@@ -75,4 +88,16 @@ std::string grainjet::library_file::damage(const std::string &path)
   if (header.e_shstrndx >= sections.size() || sections[header.e_shstrndx].sh_type != SHT_STRTAB)
     return "its table of sections was not written, so parts before it may be missing too";
   return "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string grainjet::library_file::foreign(const std::string &path)
+{
+  // the kind of machine stands at the same place in the header of all classes
+  std::ifstream file(path, std::ios::binary), program("/proc/self/exe", std::ios::binary);
+  const std::vector<ElfW(Ehdr)> theirs = table<ElfW(Ehdr)>(file, 0, 1), ours = table<ElfW(Ehdr)>(program, 0, 1);
+  if (theirs.empty() || ours.empty() || memcmp(theirs[0].e_ident, ELFMAG, SELFMAG) != 0) return "";
+  const std::string kind = machine(theirs[0]), here = machine(ours[0]);
+  return kind.empty() || kind == here ? "" : "is for another kind of machine (" + kind + "; this one is " + here + "): build it on this one";
 }

@@ -18,6 +18,11 @@ namespace library_file {
   // What is no library at all is left for the linker to say.
   std::string damage(const std::string &path);
 
+  // Why a library file is for another kind of machine than this program, as words that follow
+  // its name; empty if it is for this one or is no library. The linker only says that it
+  // cannot open such a file.
+  std::string foreign(const std::string &path);
+
 }
 }
 

@@ -9,6 +9,8 @@
 
 #include "host/grainjet_version.h"
 
+#include <string_view>
+
 /* What a plugin file tells the `plugin` command of LIGGGHTS.
 
    A plugin is a shared library with one entry point, `liggghtsplugin_init`,
@@ -56,5 +58,32 @@ typedef const liggghtsplugin_description *(*liggghtsplugin_initfunc)();
 #ifndef LIGGGHTSPLUGIN_HOST
 #error "LIGGGHTSPLUGIN_HOST must be what the script host-version says of the LIGGGHTS compiled for"
 #endif
+
+// The choices LIGGGHTS was compiled with stand in no header of it: integers of another size, and
+// classes with other members, would be taken for its own. They come by the compiler's command line
+// (host-version -flags) and are compared with the stamp.
+namespace grainjet {
+
+constexpr bool stamped(const char *option)
+{
+  const std::string_view stamp = LIGGGHTSPLUGIN_HOST;
+  const std::size_t at = stamp.find(option), end = at + std::string_view(option).size();
+  return at != stamp.npos && at > 0 && stamp[at - 1] == ' ' && end < stamp.size() && (stamp[end] == ' ' || stamp[end] == ',');
+}
+
+#if defined(LAMMPS_BIGBIG)
+static_assert(stamped("BIGBIG"), "LIGGGHTS has smaller integers than LAMMPS_BIGBIG: compile with what host-version -flags prints");
+#elif defined(LAMMPS_SMALLSMALL)
+static_assert(stamped("SMALLSMALL"), "LIGGGHTS has larger integers than LAMMPS_SMALLSMALL: compile with what host-version -flags prints");
+#else
+static_assert(stamped("SMALLBIG"), "LIGGGHTS has other integers than LAMMPS_SMALLBIG: compile with what host-version -flags prints");
+#endif
+#if defined(SUPERQUADRIC_ACTIVE_FLAG)
+static_assert(stamped("superquadrics"), "LIGGGHTS is without superquadrics: compile with what host-version -flags prints");
+#else
+static_assert(!stamped("superquadrics"), "LIGGGHTS has superquadrics: compile with what host-version -flags prints");
+#endif
+
+}
 
 #endif

@@ -136,6 +136,12 @@ std::string refusal(void *file)
 // description of the plugin, or NULL and why it was refused
 const liggghtsplugin_description *examine(const std::string &path, std::string &why)
 {
+  why = grainjet::library_file::foreign(path);
+  if (!why.empty()) {
+    why = "'" + path + "' " + why;
+    return NULL;
+  }
+
   // the linker maps what a file claims to hold, and the program dies where it does not
   why = grainjet::library_file::damage(path);
   if (!why.empty()) {

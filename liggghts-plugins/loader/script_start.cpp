@@ -15,9 +15,19 @@
      UTF-16, UTF-32              error: every other byte ends the line
      a folder                    error: LIGGGHTS takes it for an empty script
      CR alone ends the lines     error: all is one line, which a first comment makes empty
-   CR LF is white space to LIGGGHTS and needs nothing.                                 */
+   CR LF is white space to LIGGGHTS and needs nothing.
 
+   It also is where a LIGGGHTS is found out that has not called lammps_create_hook.cpp: this
+   function is called by the program itself, which goes through the dynamic linker even if the
+   library calls its own functions without it.                                         */
+
+#include "loader/host_build.h"
 #include "loader/host_function.h"
+#include "loader/interposition.h"
+#include "loader/liggghtsplugin.h"
+#include "loader/plugin_command.h"
+#include "loader/plugin_file.h"
+#include "loader/style_maps.h"
 
 #include <liggghts/error.h>
 #include <liggghts/input.h>
@@ -69,6 +79,12 @@ int pass_over_start(FILE *script)
 
 void Input::file()
 {
+  using namespace grainjet;
+  std::string fault = host_build::misfit(LIGGGHTSPLUGIN_HOST);
+  if (!fault.empty()) fault = "The plugin loader " + fault;
+  else if (style_maps::find(lmp, plugin_command) == style_maps::Entry::FREE) fault = interposition::own_calls;
+  plugin_file::agree(lmp, fault);
+
   int start = me == 0 && infile ? pass_over_start(infile) : PLAIN;
   MPI_Bcast(&start, 1, MPI_INT, 0, world);
   if (start == UNREADABLE)

@@ -16,6 +16,7 @@ import shutil
 import unittest
 
 import grainjet
+from grainjet import host_library
 
 PLUGINS = grainjet.ROOT / "liggghts-plugins"
 
@@ -52,7 +53,7 @@ class CompileIn(grainjet.Case):
 
     def compile(self, source):
         return grainjet.run(
-            ["mpicxx", "-std=c++17", "-O0", "-DOMPI_SKIP_MPICXX", "-iquote", ".", "-iquote", "/usr/include/liggghts",
+            ["mpicxx", "-std=c++17", "-O0", "-DOMPI_SKIP_MPICXX", "-iquote", ".", *host_library.flags(),
              "-I", PLUGINS, "-c", source.name], source.parent)
 
     def test_styles_without_loader(self):
@@ -81,7 +82,7 @@ class CompileIn(grainjet.Case):
             for result in pool.map(self.compile, sorted(src.glob("*.cpp"))):
                 self.assertEqual(result.code, 0, result)
         objects = sorted(path.name for path in src.glob("*.o"))
-        linked = grainjet.run(["mpicxx", "-o", "table", *objects, "-lliggghts"], src)
+        linked = grainjet.run(["mpicxx", "-o", "table", *objects, host_library.part("-library")], src)
         self.assertEqual(linked.code, 0, linked)
 
         table = grainjet.run(["./table"], src)

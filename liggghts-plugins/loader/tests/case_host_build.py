@@ -13,7 +13,7 @@ from loadercase import PLUGINS, LoaderCase
 
 STATE = """
 import ctypes
-host = ctypes.CDLL("libliggghts.so.3", mode=ctypes.RTLD_GLOBAL)
+host = ctypes.CDLL("{host}", mode=ctypes.RTLD_GLOBAL)
 tell = ctypes.CDLL("{library}")
 tell.host_stamp.restype = tell.host_misfit.restype = ctypes.c_char_p
 print("stamp:", tell.host_stamp().decode())
@@ -31,8 +31,9 @@ class HostBuild(LoaderCase):
 
     def stated(self, library, *stamps):
         """What a process with this library says of its LIGGGHTS, and of stamps."""
-        (self.folder / "state.py").write_text(STATE.format(library=PLUGINS / "hostbuildlibrary.so", stamps=stamps))
-        result = grainjet.run(["/usr/bin/python3", "state.py"], self.folder, env={"LD_LIBRARY_PATH": str(library.parent)})
+        (self.folder / "state.py").write_text(STATE.format(host=library, library=PLUGINS / "hostbuildlibrary.so",
+                                                           stamps=stamps))
+        result = grainjet.run(["/usr/bin/python3", "state.py"], self.folder)
         self.assertEqual(result.code, 0, result)
         lines = result.output.splitlines()
         return lines[0].removeprefix("stamp: "), [line.removeprefix("misfit:").strip() for line in lines[1:]]
@@ -40,10 +41,10 @@ class HostBuild(LoaderCase):
     def test_script_and_process_say_the_same(self):
         """By build ID and, where there is none, by checksum; what is compiled with it then fits."""
         normal = host_version()
-        self.assertRegex(normal, r"^LIGGGHTS-PUBLIC [0-9.]+, build [0-9a-f]{16,}$")
+        self.assertRegex(normal, r"^LIGGGHTS-PUBLIC [0-9.]+, SMALLBIG [A-Za-z ]+, build [0-9a-f]{16,}$")
         other = host_library.copy(self.folder / "other", host_library.other_build)
         none = host_library.copy(self.folder / "none", host_library.no_build)
-        self.assertRegex(host_version(none), r"^LIGGGHTS-PUBLIC [0-9.]+, checksum [0-9]+ [0-9]+$")
+        self.assertRegex(host_version(none), r"^LIGGGHTS-PUBLIC [0-9.]+, SMALLBIG [A-Za-z ]+, checksum [0-9]+ [0-9]+$")
 
         stamps = [host_version(library) for library in (host_library.installed(), other, none)]
         self.assertEqual(stamps[0], normal)
@@ -63,7 +64,7 @@ class HostBuild(LoaderCase):
             library = host_library.copy(self.folder / change.__name__, change)
             for ranks in (0, 2):
                 result = grainjet.run([*grainjet.mpirun(ranks), "liggghts-plugins", "-in", "in.test"], self.folder,
-                                      env={"LD_LIBRARY_PATH": str(library.parent)})
+                                      env={"LIGGGHTS_ROOT": "", "LD_LIBRARY_PATH": str(library.parent)})
                 self.assertFails(result, "The plugin loader was built for", host_version(),
                                  f"but this is {host_version(library)}", "./Allwmake")
                 self.assertEqual(result.output.count("ERROR"), 1, result)
@@ -74,7 +75,7 @@ class HostBuild(LoaderCase):
         (self.folder / "in.test").write_text("plugin list\n")
         root = grainjet.mpirun(1)[1:-2]
         command = ["liggghts-plugins", "-in", "in.test"]
-        other = ["env", f"LD_LIBRARY_PATH={library.parent}", *command]
+        other = ["env", "LIGGGHTS_ROOT=", f"LD_LIBRARY_PATH={library.parent}", *command]
         for first, second, rank in ((command, other, 1), (other, command, 0)):
             result = grainjet.run(["mpirun", *root, "-np", "1", *first, ":", "-np", "1", *second], self.folder, timeout=60)
             self.assertFails(result, f"but this is {host_version(library)}", f"(on rank {rank})")
@@ -85,7 +86,7 @@ class HostBuild(LoaderCase):
         for ranks in (0, 2):
             (self.folder / "in.test").write_text("plugin list\n")
             result = grainjet.run([*grainjet.mpirun(ranks), "liggghts-plugins", "-in", "in.test"], self.folder,
-                                  env={"LD_LIBRARY_PATH": str(library.parent)})
+                                  env={"LIGGGHTS_ROOT": "", "LD_LIBRARY_PATH": str(library.parent)})
             self.assertEqual(result.code, 0, result)
             self.assertIn("No plugins are loaded", result.output)
 

@@ -9,6 +9,6 @@
 #include "loader/liggghtsplugin.h"
 
 #undef LIGGGHTSPLUGIN_HOST
-#define LIGGGHTSPLUGIN_HOST "LIGGGHTS-PUBLIC 2.0.0"
+#define LIGGGHTSPLUGIN_HOST "LIGGGHTS-PUBLIC 2.0.0, SMALLBIG OpenMPI, build 0"
 
 #include "exampleplugin.cpp"

@@ -181,7 +181,8 @@ void Foam::liggghtsSession::setup()
     // What the run command does, but with an end that is never reached, so that output
     // and insertion are scheduled once and go on over all coupling intervals
     LAMMPS_NS::Update* update = lmp_->update;
-    const LAMMPS_NS::bigint unlimited = LAMMPS_NS::bigint(1) << 60;
+    const LAMMPS_NS::bigint unlimited =
+        std::numeric_limits<LAMMPS_NS::bigint>::max()/8;
     update->whichflag = 1;
     update->nsteps = std::numeric_limits<int>::max();
     update->firststep = update->beginstep = update->ntimestep;

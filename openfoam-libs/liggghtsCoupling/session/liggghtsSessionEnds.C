@@ -89,12 +89,7 @@ void Foam::liggghtsSession::checkHooks() const
     using namespace grainjet;
     if (style_maps::find(lmp_, plugin_command) == style_maps::Entry::FREE)
     {
-        sessionError
-        (
-            "LIGGGHTS calls its own functions where the coupling has put others in their place, so"
-            " that it knows no plugin and ends the process at an error.\n    Its library is"
-            " linked with -Bsymbolic, -Bsymbolic-functions or the like: build it without"
-        );
+        sessionError(interposition::own_calls);
     }
 }
 

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 import grainjet
-from grainjet import openfoam_tree
+from grainjet import host_library, openfoam_tree
 
 # what the programs do besides writing down their call; `id` makes a superuser of everybody
 PROGRAMS = {
@@ -52,7 +52,7 @@ class Allwmake(grainjet.Case):
         # an OpenFOAM as a user sources it
         foam = self.folder / "openfoam"
         self.env = {**openfoam_tree.make(foam, programs / "wmake"), "PATH": f"{programs}:{grainjet.ENV['PATH']}",
-                    "ABSENT": "", "UNKNOWN": "", "VERSION": "1"}
+                    "ABSENT": "", "UNKNOWN": "", "VERSION": "1", "LIGGGHTS_ROOT": ""}
         self.phases = foam / "src/phaseSystemModels/reactingEulerFoam"
         self.phases.mkdir(parents=True)
 
@@ -146,6 +146,28 @@ class Allwmake(grainjet.Case):
         result, calls = self.allwmake(ABSENT=" openfoam ", UNKNOWN=" openfoam ", WM_PROJECT_DIR="")
         self.assertFails(result, "in none of the archives", "openfoam: source an OpenFOAM of openfoam.com")
         self.assertEqual([call.split(": ")[1] for call in calls], ["apt-get -q update"])
+
+    def test_liggghts_of_ones_own(self):
+        """LIGGGHTS_ROOT: Debian's packages of it are not asked for, and CMake gets it; what cannot be used is refused."""
+        absent = " liggghts libliggghts-dev "
+        _, calls = self.allwmake(ABSENT=absent)
+        self.assertTrue(self.one(calls, "apt-get").endswith(" install liggghts libliggghts-dev"), calls)
+
+        root = host_library.root(self.folder / "liggghts")
+        result, calls = self.allwmake(ABSENT=absent, LIGGGHTS_ROOT=root)
+        self.assertEqual(result.code, 0, result)
+        self.assertIn(f" -DLIGGGHTS_ROOT={root}", self.one(calls, "cmake -S"))
+        self.assertEqual([call for call in calls if "apt-get" in call], [])
+
+        (root / "bin/liggghts").unlink()
+        self.assertRefusedByLiggghts("no program bin/liggghts", LIGGGHTS_ROOT=root)
+
+    def assertRefusedByLiggghts(self, *words, **variables):
+        """One message before anything is configured or compiled."""
+        result, calls = self.allwmake(**variables)
+        self.assertFails(result, *words)
+        self.assertEqual(result.output.count("host-version: "), 1, result)
+        self.assertEqual([call for call in calls if "cmake" in call or "libso" in call], [])
 
     def test_unknown_arguments(self):
         for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):

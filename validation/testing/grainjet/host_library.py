@@ -9,14 +9,39 @@ into a run. Its functions are unchanged, so whatever refuses it has read its sta
 
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
+
+from grainjet.programs import ENV, ROOT
+
+
+def _linked():
+    """Name and path of the library of the program liggghts in PATH, as the program asks for it."""
+    found = subprocess.run(["bash", "-c", 'ldd "$(command -v liggghts)"'], check=True, stdout=subprocess.PIPE, text=True,
+                           env=ENV)
+    return re.search(r"(libliggghts\S*) => (\S+)", found.stdout).groups()
 
 
 def installed():
     """The library of the program liggghts in PATH."""
-    found = subprocess.run(["bash", "-c", 'ldd "$(command -v liggghts)"'], check=True, stdout=subprocess.PIPE, text=True)
-    return pathlib.Path(re.search(r"(libliggghts\S*) => (\S+)", found.stdout).group(2)).resolve()
+    return pathlib.Path(_linked()[1]).resolve()
+
+
+def _said(option):
+    """What host-version prints of the LIGGGHTS that is built for."""
+    return subprocess.run([ROOT / "liggghts-plugins/loader/host-version", option], check=True, stdout=subprocess.PIPE,
+                          text=True, env=ENV).stdout.strip()
+
+
+def part(option):
+    """A part of the LIGGGHTS that is built for: -program, -library, -headers."""
+    return pathlib.Path(_said(option))
+
+
+def flags():
+    """What is compiled with against it, as words."""
+    return _said("-flags").split()
 
 
 def sections(content):
@@ -37,9 +62,37 @@ def copy(folder, change):
     content = bytearray(installed().read_bytes())
     change(content, sections(content))
     folder.mkdir(parents=True)
-    path = folder / "libliggghts.so.3"
+    path = folder / _linked()[0]
     path.write_bytes(content)
     return path
+
+
+def root(folder, change=lambda content, parts: None):
+    """A folder for LIGGGHTS_ROOT: program, changed library, and a link to the headers."""
+    (folder / "bin").mkdir(parents=True)
+    shutil.copy(part("-program"), folder / "bin/liggghts")
+    copy(folder / "lib", change)
+    (folder / "include").mkdir()
+    (folder / "include/liggghts").symlink_to(part("-headers") / "liggghts")
+    return folder
+
+
+def other_version(name):
+    """A change: another build that states another version, in 21 letters."""
+    def change(content, parts):
+        known = b"LIGGGHTS-PUBLIC 3.8.0"
+        if len(name) != len(known) or known + b", compiled" not in content:
+            raise AssertionError(f"the version of {installed()} cannot be changed to {name}")
+        content[:] = content.replace(known + b", compiled", name.encode() + b", compiled")
+        other_build(content, parts)
+    return change
+
+
+def foreign(path):
+    """Make a file one for aarch64, as far as its header says."""
+    content = bytearray(path.read_bytes())
+    struct.pack_into("<H", content, 18, 183)
+    path.write_bytes(content)
 
 
 def other_build(content, parts):

@@ -14,6 +14,7 @@ import subprocess
 import unittest
 
 import grainjet
+from grainjet import host_library
 
 SOURCES = {".cpp", ".h", ".C", ".H"}
 LINES = 400                     # longer files hold more than one responsibility
@@ -86,7 +87,7 @@ class Rooms(unittest.TestCase):
     def test_classes_of_liggghts_are_not_declared_anew(self):
         """A second declaration is not compared with the first by anyone, and results are wrong without a word."""
         body = re.compile(r"(?m)^[ \t]*(?:class|struct)\s+(\w+)[^;{()]*\{")
-        headers = list(pathlib.Path("/usr/include/liggghts").glob("*.h"))
+        headers = list((host_library.part("-headers") / "liggghts").glob("*.h"))
         theirs = {name for header in headers for name in body.findall(header.read_text(errors="replace"))}
         # ours without those within another class, which are indented
         outer = re.compile(body.pattern.replace("[ \\t]*", ""))
