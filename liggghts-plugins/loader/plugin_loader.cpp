@@ -6,6 +6,7 @@
 
 #include "loader/plugin_loader.h"
 
+#include "host/grainjet_version.h"
 #include "loader/plugin_file.h"
 #include "loader/style_maps.h"
 
@@ -75,6 +76,7 @@ void grainjet::PluginLoader::load(LAMMPS *lmp, const std::string &name)
 
 void grainjet::PluginLoader::list(LAMMPS *lmp) const
 {
+  print(lmp, "Grainjet " GRAINJET_VERSION);
   if (plugins.empty()) {
     print(lmp, "No plugins are loaded");
     return;

@@ -25,6 +25,11 @@ class Versions(LoaderCase):
         changes = re.findall(r"(?m)^## (\S+), \d{4}-\d\d-\d\d$", (grainjet.ROOT / "docs/CHANGELOG.md").read_text())
         self.assertEqual(changes[0], VERSION)
 
+    def test_the_list_of_plugins_begins_with_it(self):
+        for script in ("plugin list\n", "plugin load hertzcgplugin.so\nplugin list\n"):
+            result = self.liggghts(script)
+            self.assertEqual(result.output.splitlines().count(f"Grainjet {VERSION}"), 1, result)
+
     def test_every_part_is_stamped(self):
         for name in ("hertzcgplugin", "platestatsplugin", "fluidforceplugin", "wallroughnessplugin", "liggghtsloader"):
             file = grainjet.ROOT / f"lib/{name}.so"

@@ -9,6 +9,7 @@
 #include "couplingChecks.H"
 #include "couplingEntries.H"
 #include "noFloatTraps.H"
+#include "host/grainjet_version.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -203,6 +204,7 @@ Foam::couplingPipeline::couplingPipeline
     steps_.report(session_, Info);
     Info<< nl;
     forces_.report(Info);
+    Info<< "    Grainjet " GRAINJET_VERSION << nl;
     Info<< "    Fluid: " << fluid.type() << nl;
     Info<< "    Void fraction in the equations: " << (equations_ ? "full" : "neglected") << nl;
     if (averages_.filter())
