@@ -97,6 +97,7 @@ class Allwmake(grainjet.Case):
         for release, there, told in ((1912, False, False), (2012, False, True), (2506, True, False)):
             with self.subTest(release=release):
                 (foam / "META-INFO/api-info").write_text(f"api={release}\npatch=0\n")
+                openfoam_tree.library(foam / "lib/libOpenFOAM.so", release)
                 if there:
                     header = foam / ("applications/solvers/lagrangian/DPMFoam/DPMTurbulenceModels/"
                                      "DPMIncompressibleTurbulenceModel.H")
