@@ -66,6 +66,19 @@ class Restart(grainjet.Case):
                 a, b = (dumps.last(f / "grains.400.dump") for f in (whole, parts))
                 self.assertEqual(a, b)
 
+    def test_backward(self):
+        """A time scheme with two former values: those of the void fraction and of the flux of the grains, too."""
+        whole, parts = self.write("whole_backward", 40, "full"), self.write("parts_backward", 20, "full")
+        for folder in (whole, parts):
+            dictionaries.change(folder / "system/fvSchemes", ("default Euler", "default backward"))
+            self.foam("blockMesh", folder)
+            self.foam("pimpleFoam", folder)
+        end_at(parts, 40)
+        self.foam("pimpleFoam", parts)
+        for field in (*FIELDS, "fluidVelocity", "solidsFlux", "voidFraction_0", "solidsFlux_0"):
+            a, b = ((f / "0.004" / field).read_bytes() for f in (whole, parts))
+            self.assertEqual(a, b, field)
+
     def test_parallel(self):
         """2 ranks: LIGGGHTS may order its grains differently after a restart, and sums in
         cells follow that order: round-off, 1e-12 relative."""

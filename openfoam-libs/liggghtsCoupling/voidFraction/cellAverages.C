@@ -48,6 +48,29 @@ IOobject voidFractionHeader(const dictionary& dict, const cellLocator& locator)
     return header;
 }
 
+
+// Time schemes of second order continue with two former values. GeometricField looks for the older one in the
+// folder of the present step, in which the coupling is made
+template<class FieldType>
+void continueOldTimes(FieldType& field)
+{
+    const Time& time = field.time();
+    IOobject header
+    (
+        field.name() + "_0",
+        time.timeName(time.startTime().value()),
+        field.mesh(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    field.oldTime();
+    if (header.typeHeaderOk<FieldType>(true))
+    {
+        field.oldTime().oldTime() == FieldType(header, field.mesh());
+    }
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
@@ -82,8 +105,8 @@ void Foam::cellAverages::makeSolidsFlux()
     (
         new volVectorField(header, mesh, dimensionedVector(dimVelocity, Zero), types)
     );
-    solidsFlux_->oldTime();
-    voidFraction_.oldTime();
+    continueOldTimes(*solidsFlux_);
+    continueOldTimes(voidFraction_);
 }
 
 
