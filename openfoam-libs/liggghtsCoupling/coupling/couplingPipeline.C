@@ -157,7 +157,8 @@ Foam::couplingPipeline::couplingPipeline
         couplingEntries::twoWay(dict) && momentum_.momentum().debts()
       ? new debtTransport
         (
-            *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr
+            *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr,
+            *momentum_.momentum().debtsOfLost(), energy_ ? &energy_->debtsOfLost() : nullptr
         )
       : nullptr
     ),

@@ -22,25 +22,35 @@ Foam::scalar Foam::debtTransport::weight
 
 void Foam::debtTransport::add
 (
+    vectorField& momentum,
+    scalarField* energy,
     const label celli,
     const scalar fraction,
     const debt& whole
 )
 {
-    momentum_[celli] += fraction*vector(whole[0], whole[1], whole[2]);
-    if (energy_)
+    momentum[celli] += fraction*vector(whole[0], whole[1], whole[2]);
+    if (energy)
     {
-        (*energy_)[celli] += fraction*whole[3];
+        (*energy)[celli] += fraction*whole[3];
     }
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::debtTransport::debtTransport(vectorField& momentum, scalarField* energy)
+Foam::debtTransport::debtTransport
+(
+    vectorField& momentum,
+    scalarField* energy,
+    vectorField& lostMomentum,
+    scalarField* lostEnergy
+)
 :
     momentum_(momentum),
-    energy_(energy)
+    energy_(energy),
+    lostMomentum_(lostMomentum),
+    lostEnergy_(lostEnergy)
 {}
 
 
@@ -169,7 +179,10 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
     (
         carried_,
         present,
-        [&](const label celli, const debt& whole){ add(celli, 1, whole); }
+        [&](const label celli, const debt& whole)
+        {
+            add(lostMomentum_, lostEnergy_, celli, 1, whole);
+        }
     );
     averages.shares().deposit<debt>
     (
@@ -178,7 +191,7 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
         [&](const label g){ return present[g]; },
         [&](const label celli, const scalar fraction, const debt& whole)
         {
-            add(celli, fraction, whole);
+            add(momentum_, energy_, celli, fraction, whole);
         }
     );
 }

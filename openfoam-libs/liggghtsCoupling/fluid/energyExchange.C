@@ -28,6 +28,19 @@ Foam::energyExchange::energyExchange(const carrierFluid& fluid)
         fluid.mesh(),
         dimensionedScalar(dimEnergy, Zero)
     ),
+    lost_
+    (
+        IOobject
+        (
+            "energyOfLostGrains",
+            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
+            fluid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        fluid.mesh(),
+        dimensionedScalar(dimEnergy, Zero)
+    ),
     wanted_(fluid.mesh().nCells(), Zero),
     particleEnergySource_
     (
@@ -110,8 +123,9 @@ void Foam::energyExchange::set
     const fvMesh& mesh = fluid_.mesh();
     dt_ = dt;
     owed_.instance() = mesh.time().timeName();
+    lost_.instance() = mesh.time().timeName();
 
-    wanted_ = owed_.field();
+    wanted_ = owed_.field() + lost_.field();
     particleEnergySource_.primitiveFieldRef() = Zero;
     forAll(cells, i)
     {
@@ -130,26 +144,29 @@ void Foam::energyExchange::addSup
 {
     owed_.field() = Zero;
     momentum.addWorkOwed(owed_.field());
+    lost_.field() = Zero;
+    momentum.addWorkOfLost(lost_.field());
 
     // fvMatrix keeps (diagonal)*e = source, integrated over cells
     scalarField& source = eqn.source();
     forAll(source, celli)
     {
         source[celli] -=
-            (wanted_[celli] - owed_[celli])/(dt_*fluid_.equationVoidFraction(celli));
+            (wanted_[celli] - owed_[celli] - lost_[celli])
+           /(dt_*fluid_.equationVoidFraction(celli));
     }
 }
 
 
 Foam::scalar Foam::energyExchange::received() const
 {
-    return dt_ > 0 ? sum(wanted_) - sum(owed_.field()) : 0;
+    return dt_ > 0 ? sum(wanted_) - owed() : 0;
 }
 
 
 Foam::scalar Foam::energyExchange::owed() const
 {
-    return sum(owed_.field());
+    return sum(owed_.field()) + sum(lost_.field());
 }
 
 

@@ -68,6 +68,7 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     ),
+    lost_(fluid),
     dt_(0)
 {
     // The debt of a former run is paid like that of a step of this one
@@ -104,7 +105,7 @@ Foam::vector Foam::implicitMomentum::close(const vectorField& stress)
 
 Foam::vector Foam::implicitMomentum::owed() const
 {
-    vector sum(Zero);
+    vector sum(lost_.owed());
     for (const cellSource& source : sources_)
     {
         sum += owed_[source.cell];
@@ -161,15 +162,28 @@ void Foam::implicitMomentum::set
     {
         if (number_[celli] < 0 && owed_[celli] != vector::zero)
         {
+            number_[celli] = sources_.size();
             sources_.append
             (
                 cellSource{celli, owed_[celli], Zero, 0, U[celli], 1, unfelt}
             );
         }
     }
-    for (const label celli : cells)
+
+    const Map<vector> paid(lost_.pay(dt));
+    forAllConstIters(paid, iter)
     {
-        number_[celli] = -1;
+        const label celli = iter.key();
+        if (number_[celli] < 0)
+        {
+            number_[celli] = sources_.size();
+            sources_.append(cellSource{celli, Zero, Zero, 0, U[celli], 1, unfelt});
+        }
+        sources_[number_[celli]].wanted += iter.val();
+    }
+    for (const cellSource& source : sources_)
+    {
+        number_[source.cell] = -1;
     }
 }
 
