@@ -60,7 +60,8 @@ void Foam::voidFractionEquations::checkConvection
                 {
                     FatalIOErrorInEntry(schemes, key)
                         << "divSchemes: " << convection << " is bounded, with which equations full"
-                        << " would not keep the " << (field == fluid.UName() ? "momentum" : field.c_str())
+                        << " would not keep "
+                        << (field == fluid.UName() ? "the momentum" : ("the field " + field).c_str())
                         << " of fluid and grains. Take the same scheme without the word bounded"
                         << exit(FatalIOError);
                 }
