@@ -76,7 +76,7 @@ def check_openfoam(arguments):
         return 1
     options = ["--compiler", arguments.compiler] if arguments.compiler else []
     options += ["--first"] if arguments.first else []
-    return subprocess.run([ROOT / "openfoam-libs/tools/check-release", printed.splitlines()[-1],
+    return subprocess.run([ROOT / "openfoam-libs/tools/check-release", printed.splitlines()[-1], "--quick",
                            "--label", str(arguments.label), "--precision", arguments.precision, *options],
                           check=False).returncode
 
