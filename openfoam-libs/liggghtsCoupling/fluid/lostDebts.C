@@ -68,6 +68,10 @@ Foam::Map<Foam::vector> Foam::lostDebts::pay(const scalar dt)
     momentum_.instance() = mesh.time().timeName();
 
     Map<vector> paid;
+    if (max(cmptMag(momentum_.field())) == vector::zero)
+    {
+        return paid;
+    }
     const tmp<volScalarField> trho(fluid_.rho());
     forAll(momentum_, celli)
     {
