@@ -162,6 +162,7 @@ Foam::couplingPipeline::couplingPipeline
         )
       : nullptr
     ),
+    inflow_(fluid),
     session_
     (
         fluid.mesh().time().globalPath(),
@@ -222,6 +223,7 @@ void Foam::couplingPipeline::advance()
 {
     const clockTime clock;
     couplingLog::step step;
+    inflow_.check();
 
     scalar previous;
     const label n = steps_.next(session_, previous);
