@@ -74,7 +74,12 @@ void Foam::couplingPipeline::start()
         averages_.restoreShares(*grains_, coefficients);
         if (debts_)
         {
-            debts_->restore(*grains_, coefficients, former_.deltaT());
+            // A former run with fixed steps may not have written its step
+            const scalar dt = former_.deltaT();
+            debts_->restore
+            (
+                *grains_, coefficients, dt > 0 ? dt : fluid_.mesh().time().deltaTValue()
+            );
         }
     }
     else
@@ -89,6 +94,10 @@ void Foam::couplingPipeline::start()
 Foam::wordList Foam::couplingPipeline::stateFiles() const
 {
     wordList names(momentum_.momentum().files());
+    if (energy_)
+    {
+        names.append(energy_->files());
+    }
     if (equations_)
     {
         names.append(equations_->files());
@@ -103,7 +112,30 @@ void Foam::couplingPipeline::writeState()
     (
         equations_ ? equations_->write() : tmp<vectorField>(vectorField::null())
     );
-    momentum_.momentum().write(tstress());
+    grainMomentum& momentum = momentum_.momentum();
+    if (!momentum.debts())
+    {
+        return;
+    }
+
+    // As if the step were over: the continued run does not know the grains that were removed in it
+    vectorField owed(momentum.presentDebts(tstress()));
+    vectorField lost(*momentum.debtsOfLost());
+    scalarField energy(energy_ ? energy_->debts() : scalarField());
+    scalarField lostEnergy(energy_ ? energy_->debtsOfLost() : scalarField());
+    if (debts_)
+    {
+        debts_->retire
+        (
+            *grains_, averages_, fluid_,
+            debtTransport::fields{owed, energy_ ? &energy : nullptr, lost, energy_ ? &lostEnergy : nullptr}
+        );
+    }
+    momentum.write(owed, lost);
+    if (energy_)
+    {
+        energy_->write(energy, lostEnergy);
+    }
 }
 
 
@@ -157,11 +189,15 @@ Foam::couplingPipeline::couplingPipeline
         couplingEntries::twoWay(dict) && momentum_.momentum().debts()
       ? new debtTransport
         (
-            *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr,
-            *momentum_.momentum().debtsOfLost(), energy_ ? &energy_->debtsOfLost() : nullptr
+            debtTransport::fields
+            {
+                *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr,
+                *momentum_.momentum().debtsOfLost(), energy_ ? &energy_->debtsOfLost() : nullptr
+            }
         )
       : nullptr
     ),
+    inflow_(fluid),
     session_
     (
         fluid.mesh().time().globalPath(),
@@ -222,6 +258,7 @@ void Foam::couplingPipeline::advance()
 {
     const clockTime clock;
     couplingLog::step step;
+    inflow_.check();
 
     scalar previous;
     const label n = steps_.next(session_, previous);

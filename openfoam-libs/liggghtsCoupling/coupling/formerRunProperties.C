@@ -124,16 +124,22 @@ void Foam::formerRun::checkEntries(const dictionary& former) const
     const word equations(present.get<word>("equations"));
     const word momentum(present.get<word>("momentum"));
 
-    // Older runs did not say it, but wrote a field that only the full equations have
+    // Older runs did not say it, but wrote a field that only the full equations or the implicit source have
+    const wordList files(former.get<wordList>("files"));
     const word formerEquations
     (
         former.lookupOrDefault<word>
         (
-            "equations",
-            former.get<wordList>("files").found("momentumOfShares") ? "full" : "neglected"
+            "equations", files.found("momentumOfShares") ? "full" : "neglected"
         )
     );
-    const word formerMomentum(former.lookupOrDefault<word>("momentum", "none"));
+    const word formerMomentum
+    (
+        former.lookupOrDefault<word>
+        (
+            "momentum", files.found("particleMomentumOwed") ? "implicit" : "none"
+        )
+    );
 
     if (equations != formerEquations)
     {

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "compressibleVoidFraction.H"
+#include "continuedField.H"
 #include "ddtScheme.H"
 #include "energyExchange.H"
 #include "fvcDdt.H"
@@ -13,30 +14,6 @@
 #include "fvmSup.H"
 #include "fvMatrices.H"
 #include "linear.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-// A debt that a continued run reads
-IOobject debtHeader(const word& name, const fvMesh& mesh, const IOobject::writeOption write)
-{
-    const Time& time = mesh.time();
-    return IOobject
-    (
-        name,
-        time.timeName(time.startTime().value()),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        write
-    );
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -200,19 +177,19 @@ Foam::compressibleVoidFraction::compressibleVoidFraction
     ),
     unpaidMass_
     (
-        debtHeader("massOfShares", fluid.mesh(), IOobject::AUTO_WRITE),
+        continuedField::header("massOfShares", fluid.mesh()),
         fluid.mesh(),
         dimensionedScalar(dimMass, Zero)
     ),
     unpaidEnergy_
     (
-        debtHeader("energyOfShares", fluid.mesh(), IOobject::AUTO_WRITE),
+        continuedField::header("energyOfShares", fluid.mesh()),
         fluid.mesh(),
         dimensionedScalar(dimEnergy, Zero)
     ),
     left_
     (
-        debtHeader("massLeft", fluid.mesh(), IOobject::NO_WRITE),
+        continuedField::header("massLeft", fluid.mesh(), IOobject::NO_WRITE),
         fluid.mesh(),
         dimensionedScalar(dimMass, Zero)
     ),
@@ -336,24 +313,7 @@ void Foam::compressibleVoidFraction::addTransportSup(fvMatrix<scalar>& eqn) cons
 
 Foam::tmp<Foam::vectorField> Foam::compressibleVoidFraction::write()
 {
-    volScalarField::Internal left
-    (
-        IOobject
-        (
-            left_.name(),
-            fluid_.mesh().time().timeName(),
-            fluid_.mesh(),
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        left_
-    );
-    if (dt_ > 0)
-    {
-        left.field() = leftOver();
-    }
-    left.write();
+    continuedField::write(left_, dt_ > 0 ? leftOver()() : left_.field());
     return voidFractionEquations::write();
 }
 

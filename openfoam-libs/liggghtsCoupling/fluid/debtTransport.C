@@ -37,20 +37,115 @@ void Foam::debtTransport::add
 }
 
 
+void Foam::debtTransport::scale
+(
+    const fields& debts,
+    const label celli,
+    const scalar factor
+)
+{
+    debts.momentum[celli] *= factor;
+    if (debts.energy)
+    {
+        (*debts.energy)[celli] *= factor;
+    }
+}
+
+
+void Foam::debtTransport::sumUp
+(
+    const UList<scalar>& weights,
+    DynamicList<scalar>& sums,
+    const ownedGrains& grains,
+    cellAverages& averages
+)
+{
+    occupiedCells& occupied = averages.cells();
+    sums.clear();
+    averages.shares().deposit<scalar>
+    (
+        weights.size(),
+        [&](const label g){ return grains.cell(g); },
+        [&](const label g){ return weights[g]; },
+        [&](const label celli, const scalar fraction, const scalar w)
+        {
+            occupied.sum(sums, celli) += fraction*w;
+        }
+    );
+    sums.setSize(occupied.cells().size(), Zero);
+}
+
+
+bool Foam::debtTransport::stiff
+(
+    const ownedGrains& grains,
+    cellAverages& averages,
+    const carrierFluid& fluid
+)
+{
+    if (averages.filter() || !returnReduce(weight_.size(), sumOp<label>()))
+    {
+        return false;
+    }
+    sumUp(weight_, sums_, grains, averages);
+
+    const scalarField& V = fluid.mesh().V();
+    const tmp<volScalarField> trho(fluid.rho());
+    bool any = false;
+    forAll(sums_, i)
+    {
+        const label celli = averages.cells().cells()[i];
+        const scalar inertia = trho()[celli]*fluid.inertiaVoidFraction(celli)*V[celli];
+        any = any || sums_[i] > stiff_*inertia;
+    }
+    return returnReduce(any, orOp<bool>());
+}
+
+
+void Foam::debtTransport::divide
+(
+    const fields& debts,
+    List<debt>& ofGrains,
+    const ownedGrains& grains,
+    cellAverages& averages
+) const
+{
+    ofGrains.setSize(weight_.size());
+    ofGrains = debt(Zero);
+    averages.shares().collect<debt>
+    (
+        weight_.size(),
+        [&](const label g){ return grains.cell(g); },
+        [&](const label celli)
+        {
+            const scalar sum = averages.cells().holds(celli) ? sums_[averages.cells().number(celli)] : 0;
+            debt unit(Zero);
+            if (sum > 0)
+            {
+                for (direction k = 0; k < 3; ++k)
+                {
+                    unit[k] = debts.momentum[celli][k]/sum;
+                }
+                unit[3] = debts.energy ? (*debts.energy)[celli]/sum : 0;
+            }
+            return unit;
+        },
+        [&](const label g, const scalar fraction, const debt& unit)
+        {
+            for (label k = 0; k < debt::size(); ++k)
+            {
+                ofGrains[g][k] += fraction*weight_[g]*unit[k];
+            }
+        }
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::debtTransport::debtTransport
-(
-    vectorField& momentum,
-    scalarField* energy,
-    vectorField& lostMomentum,
-    scalarField* lostEnergy
-)
+Foam::debtTransport::debtTransport(const fields& debts)
 :
-    momentum_(momentum),
-    energy_(energy),
-    lostMomentum_(lostMomentum),
-    lostEnergy_(lostEnergy)
+    debts_(debts)
 {}
 
 
@@ -85,6 +180,45 @@ void Foam::debtTransport::restore
 }
 
 
+void Foam::debtTransport::retire
+(
+    const ownedGrains& grains,
+    cellAverages& averages,
+    const carrierFluid& fluid,
+    const fields& debts
+)
+{
+    // Before the first interval there are grains, but no weights, and none is removed
+    if
+    (
+        !returnReduce(grains.removed().size(), sumOp<label>())
+     || !stiff(grains, averages, fluid)
+    )
+    {
+        return;
+    }
+
+    List<debt> ofGrains;
+    divide(debts, ofGrains, grains, averages);
+    scalarList removed(weight_.size(), Zero);
+    for (const label g : grains.removed())
+    {
+        add(debts.lostMomentum, debts.lostEnergy, grains.cell(g), 1, ofGrains[g]);
+        removed[g] = weight_[g];
+    }
+
+    DynamicList<scalar> ofRemoved;
+    sumUp(removed, ofRemoved, grains, averages);
+    forAll(ofRemoved, i)
+    {
+        if (ofRemoved[i] > 0)
+        {
+            scale(debts, averages.cells().cells()[i], 1 - ofRemoved[i]/sums_[i]);
+        }
+    }
+}
+
+
 bool Foam::debtTransport::take
 (
     const ownedGrains& grains,
@@ -92,80 +226,24 @@ bool Foam::debtTransport::take
     const carrierFluid& fluid
 )
 {
+    // As when the run was continued here, without the grains that were removed
+    retire(grains, averages, fluid, debts_);
+    for (const label g : grains.removed())
+    {
+        weight_[g] = 0;
+    }
+
     carried_.clear();
-
-    // Before the first interval there are grains, but no weights
-    const label n = min(grains.size(), weight_.size());
-    if (averages.filter() || !returnReduce(n, sumOp<label>()))
+    if (!stiff(grains, averages, fluid))
     {
         return false;
     }
-
-    const auto cellOf = [&](const label g){ return grains.cell(g); };
-    occupiedCells& occupied = averages.cells();
-    DynamicList<scalar> sums;
-    averages.shares().deposit<scalar>
-    (
-        n,
-        cellOf,
-        [&](const label g){ return weight_[g]; },
-        [&](const label celli, const scalar fraction, const scalar w)
-        {
-            occupied.sum(sums, celli) += fraction*w;
-        }
-    );
-
-    const scalarField& V = fluid.mesh().V();
-    const tmp<volScalarField> trho(fluid.rho());
-    bool stiff = false;
-    forAll(sums, i)
+    divide(debts_, carried_, grains, averages);
+    forAll(sums_, i)
     {
-        const label celli = occupied.cells()[i];
-        const scalar inertia = trho()[celli]*fluid.inertiaVoidFraction(celli)*V[celli];
-        stiff = stiff || sums[i] > stiff_*inertia;
-    }
-    if (!returnReduce(stiff, orOp<bool>()))
-    {
-        return false;
-    }
-
-    carried_.setSize(n, debt(Zero));
-    averages.shares().collect<debt>
-    (
-        n,
-        cellOf,
-        [&](const label celli)
+        if (sums_[i] > 0)
         {
-            const scalar sum = occupied.sum(sums, celli);
-            debt unit(Zero);
-            if (sum > 0)
-            {
-                for (direction k = 0; k < 3; ++k)
-                {
-                    unit[k] = momentum_[celli][k]/sum;
-                }
-                unit[3] = energy_ ? (*energy_)[celli]/sum : 0;
-            }
-            return unit;
-        },
-        [&](const label g, const scalar fraction, const debt& unit)
-        {
-            for (label k = 0; k < debt::size(); ++k)
-            {
-                carried_[g][k] += fraction*weight_[g]*unit[k];
-            }
-        }
-    );
-    forAll(sums, i)
-    {
-        if (sums[i] > 0)
-        {
-            const label celli = occupied.cells()[i];
-            momentum_[celli] = Zero;
-            if (energy_)
-            {
-                (*energy_)[celli] = 0;
-            }
+            scale(debts_, averages.cells().cells()[i], 0);
         }
     }
     return true;
@@ -181,7 +259,7 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
         present,
         [&](const label celli, const debt& whole)
         {
-            add(lostMomentum_, lostEnergy_, celli, 1, whole);
+            add(debts_.lostMomentum, debts_.lostEnergy, celli, 1, whole);
         }
     );
     averages.shares().deposit<debt>
@@ -191,7 +269,7 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
         [&](const label g){ return present[g]; },
         [&](const label celli, const scalar fraction, const debt& whole)
         {
-            add(momentum_, energy_, celli, fraction, whole);
+            add(debts_.momentum, debts_.energy, celli, fraction, whole);
         }
     );
 }

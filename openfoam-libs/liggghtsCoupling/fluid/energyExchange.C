@@ -6,6 +6,7 @@
 
 #include "energyExchange.H"
 #include "cellAverages.H"
+#include "continuedField.H"
 #include "couplingEntries.H"
 #include "fvMatrices.H"
 #include "voidFractionEquations.H"
@@ -17,27 +18,13 @@ Foam::energyExchange::energyExchange(const carrierFluid& fluid)
     fluid_(fluid),
     owed_
     (
-        IOobject
-        (
-            "particleEnergyOwed",
-            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
-            fluid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        continuedField::header("particleEnergyOwed", fluid.mesh(), IOobject::NO_WRITE),
         fluid.mesh(),
         dimensionedScalar(dimEnergy, Zero)
     ),
     lost_
     (
-        IOobject
-        (
-            "energyOfLostGrains",
-            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
-            fluid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        continuedField::header("energyOfLostGrains", fluid.mesh(), IOobject::NO_WRITE),
         fluid.mesh(),
         dimensionedScalar(dimEnergy, Zero)
     ),
@@ -122,8 +109,6 @@ void Foam::energyExchange::set
 {
     const fvMesh& mesh = fluid_.mesh();
     dt_ = dt;
-    owed_.instance() = mesh.time().timeName();
-    lost_.instance() = mesh.time().timeName();
 
     wanted_ = owed_.field() + lost_.field();
     particleEnergySource_.primitiveFieldRef() = Zero;
@@ -167,6 +152,19 @@ Foam::scalar Foam::energyExchange::received() const
 Foam::scalar Foam::energyExchange::owed() const
 {
     return sum(owed_.field()) + sum(lost_.field());
+}
+
+
+void Foam::energyExchange::write(const scalarField& owed, const scalarField& lost) const
+{
+    continuedField::write(owed_, owed);
+    continuedField::write(lost_, lost);
+}
+
+
+Foam::wordList Foam::energyExchange::files() const
+{
+    return wordList({owed_.name(), lost_.name()});
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "implicitMomentum.H"
 #include "addToRunTimeSelectionTable.H"
+#include "continuedField.H"
 #include "fvMatrices.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -57,14 +58,7 @@ Foam::implicitMomentum::implicitMomentum(const carrierFluid& fluid)
     number_(fluid.mesh().nCells(), -1),
     owed_
     (
-        IOobject
-        (
-            "particleMomentumOwed",
-            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
-            fluid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        ),
+        continuedField::header("particleMomentumOwed", fluid.mesh(), IOobject::NO_WRITE),
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     ),
@@ -213,29 +207,24 @@ void Foam::implicitMomentum::addSup(fvMatrix<vector>& eqn) const
 }
 
 
-void Foam::implicitMomentum::write(const vectorField& stress) const
+Foam::tmp<Foam::vectorField> Foam::implicitMomentum::presentDebts(const vectorField& stress) const
 {
-    volVectorField::Internal owed
-    (
-        IOobject
-        (
-            owed_.name(),
-            fluid_.mesh().time().timeName(),
-            fluid_.mesh(),
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        owed_
-    );
+    tmp<vectorField> towed(new vectorField(owed_.field()));
     if (dt_ > 0)
     {
         for (const cellSource& source : sources_)
         {
-            owed[source.cell] = missing(source, stress);
+            towed.ref()[source.cell] = missing(source, stress);
         }
     }
-    owed.write();
+    return towed;
+}
+
+
+void Foam::implicitMomentum::write(const vectorField& owed, const vectorField& lost) const
+{
+    continuedField::write(owed_, owed);
+    lost_.write(lost);
 }
 
 

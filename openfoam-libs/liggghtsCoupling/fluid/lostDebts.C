@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "lostDebts.H"
+#include "continuedField.H"
 #include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -45,14 +46,7 @@ Foam::lostDebts::lostDebts(const carrierFluid& fluid)
     fluid_(fluid),
     momentum_
     (
-        IOobject
-        (
-            "momentumOfLostGrains",
-            fluid.mesh().time().timeName(fluid.mesh().time().startTime().value()),
-            fluid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        continuedField::header("momentumOfLostGrains", fluid.mesh(), IOobject::NO_WRITE),
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     )
@@ -65,7 +59,6 @@ Foam::Map<Foam::vector> Foam::lostDebts::pay(const scalar dt)
 {
     const fvMesh& mesh = fluid_.mesh();
     const volVectorField& U = fluid_.U();
-    momentum_.instance() = mesh.time().timeName();
 
     Map<vector> paid;
     if (max(cmptMag(momentum_.field())) == vector::zero)
@@ -86,6 +79,12 @@ Foam::Map<Foam::vector> Foam::lostDebts::pay(const scalar dt)
         }
     }
     return paid;
+}
+
+
+void Foam::lostDebts::write(const vectorField& momentum) const
+{
+    continuedField::write(momentum_, momentum);
 }
 
 

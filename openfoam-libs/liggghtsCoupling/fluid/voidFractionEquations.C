@@ -6,6 +6,7 @@
 
 #include "voidFractionEquations.H"
 #include "calculatedFvPatchFields.H"
+#include "continuedField.H"
 #include "convectionScheme.H"
 #include "ddtScheme.H"
 #include "fvcDdt.H"
@@ -16,30 +17,6 @@
 #include "linear.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-// A field that is written with those of the solver, and read by a continued run
-IOobject continuedHeader(const word& name, const carrierFluid& fluid)
-{
-    const Time& time = fluid.mesh().time();
-    return IOobject
-    (
-        name,
-        time.timeName(time.startTime().value()),
-        fluid.mesh(),
-        IOobject::READ_IF_PRESENT,
-        IOobject::AUTO_WRITE
-    );
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -220,26 +197,26 @@ Foam::voidFractionEquations::voidFractionEquations
     ),
     feltGradP_
     (
-        continuedHeader("feltPressureGradient", fluid),
+        continuedField::header("feltPressureGradient", fluid.mesh()),
         fluid.mesh(),
         dimensionedVector(dimPressure/dimLength, Zero),
         zeroGradientFvPatchVectorField::typeName
     ),
     feltDivTau_
     (
-        continuedHeader("feltViscousStress", fluid),
+        continuedField::header("feltViscousStress", fluid.mesh()),
         fluid.mesh(),
         dimensionedVector(dimForce/dimVolume, Zero),
         zeroGradientFvPatchVectorField::typeName
     ),
     hasFelt_
     (
-        continuedHeader("feltPressureGradient", fluid).typeHeaderOk<volVectorField>(true)
+        continuedField::header("feltPressureGradient", fluid.mesh()).typeHeaderOk<volVectorField>(true)
     ),
     stress_(fluid.mesh().nCells(), Zero),
     unpaid_
     (
-        continuedHeader("momentumOfShares", fluid),
+        continuedField::header("momentumOfShares", fluid.mesh()),
         fluid.mesh(),
         dimensionedVector(dimForce*dimTime, Zero)
     ),

@@ -17,6 +17,7 @@ struct impulseParcel
 {
     label number;
     label present;
+    label removed;
     vector impulse;
 
     static constexpr scalar work = 0;
@@ -31,6 +32,7 @@ struct workParcel
 {
     label number;
     label present;
+    label removed;
     vector impulse;
     scalar work;
 
@@ -270,10 +272,15 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
     }
     received all;
 
+    removed_.clear();
     const auto arrive = [&](const Parcel& p)
     {
         if (p.present)
         {
+            if (p.removed)
+            {
+                removed_.append(p.number);
+            }
             impulse[p.number] += p.impulse;
             if (works)
             {
@@ -288,12 +295,19 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
 
     List<DynamicList<Parcel>> parcels(Pstream::nProcs());
 
-    const auto book = [&](const double* owner, const double* given, const scalar done)
+    const auto book = [&]
+    (
+        const double* owner,
+        const double* given,
+        const scalar done,
+        const bool removed
+    )
     {
         const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
         Parcel parcel;
         parcel.number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
         parcel.present = label(owner[LAMMPS_NS::OWNER_PRESENT]);
+        parcel.removed = removed;
         parcel.impulse = vector(given[0], given[1], given[2]);
         parcel.setWork(done);
         all.reacting += parcel.impulse;
@@ -314,7 +328,10 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
 
     for (label atom = 0; atom < n; ++atom)
     {
-        book(exchange.owner[atom], exchange.impulse[atom], works ? exchange.work[atom] : 0);
+        book
+        (
+            exchange.owner[atom], exchange.impulse[atom], works ? exchange.work[atom] : 0, false
+        );
         if (nonReacting)
         {
             bookNonReacting(exchange.nonReactingImpulse[atom]);
@@ -324,7 +341,7 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
     for (label i = 0; i < removals.nRemoved; ++i)
     {
         const LAMMPS_NS::FluidForceExchange::Removed& grain = removals.removed[i];
-        book(grain.owner, grain.impulse, grain.work);
+        book(grain.owner, grain.impulse, grain.work, true);
         bookNonReacting(grain.nonReactingImpulse);
         ++(grain.fate == LAMMPS_NS::FluidForceExchange::LEFT_BOX ? leftBox_ : deleted_);
     }

@@ -5,6 +5,7 @@
 # processors: 2
 
 import math
+import re
 import shutil
 import unittest
 
@@ -108,6 +109,12 @@ class Restart(grainjet.Case):
                 result = self.foam("pimpleFoam", folder, check=False)
                 self.assertFails(result, "fvOptions", "time 0.001", *words)
                 self.assertNotRegex(result.output, box.SOLVED)
+                # a former run of an older version, which did not write its entries
+                properties = folder / "0.001/uniform/liggghtsCouplingProperties"
+                complete = properties.read_text()
+                properties.write_text(re.sub(r"(?m)^(equations|momentum) .*\n", "", complete))
+                self.assertNotEqual(properties.read_text(), complete)
+                self.assertFails(self.foam("pimpleFoam", folder, check=False), "fvOptions", "time 0.001", *words)
                 self.options(folder, **former)
                 self.foam("pimpleFoam", folder)
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellAverages.H"
+#include "continuedField.H"
 #include "fixedValueFvPatchFields.H"
 #include "voidFractionEquations.H"
 #include "wallPolyPatch.H"
@@ -38,14 +39,11 @@ const fvMesh& fvMeshOf(const cellLocator& locator)
 // The full equations continue with the void fraction of the latest step
 IOobject voidFractionHeader(const dictionary& dict, const cellLocator& locator)
 {
-    IOobject header(cellAverages::writtenField("voidFraction", locator.mesh()));
-    if (voidFractionEquations::full(dict))
-    {
-        const Time& time = locator.mesh().time();
-        header.instance() = time.timeName(time.startTime().value());
-        header.readOpt() = IOobject::READ_IF_PRESENT;
-    }
-    return header;
+    const word name("voidFraction");
+    return
+        voidFractionEquations::full(dict)
+      ? continuedField::header(name, fvMeshOf(locator))
+      : cellAverages::writtenField(name, locator.mesh());
 }
 
 
@@ -80,7 +78,6 @@ void continueOldTimes(FieldType& field)
 void Foam::cellAverages::makeSolidsFlux()
 {
     const fvMesh& mesh = voidFraction_.mesh();
-    const Time& time = mesh.time();
 
     // No grain goes through a wall
     wordList types(mesh.boundary().size(), zeroGradientFvPatchVectorField::typeName);
@@ -92,14 +89,7 @@ void Foam::cellAverages::makeSolidsFlux()
         }
     }
 
-    IOobject header
-    (
-        "solidsFlux",
-        time.timeName(time.startTime().value()),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::AUTO_WRITE
-    );
+    IOobject header(continuedField::header("solidsFlux", mesh));
     continues_ = header.typeHeaderOk<volVectorField>(true);
     solidsFlux_.reset
     (
