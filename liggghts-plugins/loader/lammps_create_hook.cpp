@@ -44,8 +44,8 @@ void check_other_loader(LAMMPS *lmp)
 
   const std::string why = "Two plugin loaders are in this process: " + file + " of " +
     (version.empty() ? std::string("an earlier Grainjet (it states no version)") : "Grainjet " + version) +
-    " and " + plugin_file::loader() + " of Grainjet " GRAINJET_VERSION ". Build all of Grainjet again "
-    "with ./Allwmake, and let LD_PRELOAD and LD_LIBRARY_PATH name one build only";
+    " and " + plugin_file::loader() + " of Grainjet " GRAINJET_VERSION ". Let LD_PRELOAD, "
+    "LD_LIBRARY_PATH and FOAM_USER_LIBBIN lead to one of them only, or " GRAINJET_ANEW;
   lmp->error->all(FLERR, why.c_str());
 }
 

@@ -19,7 +19,8 @@ from grainjet import host_library, openfoam_tree
 PROGRAMS = {
     "cmake": "", "wmake": '[ "$1" != -show-cxx ] || echo g++ -std=c++11', "wmakeLnInclude": "", "apt-get": "",
     "apt-cache": 'case "$UNKNOWN" in *" $2 "*) ;; *) echo "  Candidate: 1.0" ;; esac',
-    "dpkg-query": 'case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac', "id": "echo 0",
+    "dpkg-query": 'case "$3" in *Version*) echo "$PYTHON"; exit ;; esac; case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac',
+    "id": "echo 0",
     "g++": 'case "$*" in *-dM*) echo "#define __GNUC__ 12" ;; *) echo "g++ $VERSION" ;; esac',
     "clang++": 'case "$*" in *-dM*) echo "#define __GNUC__ 4"; echo "#define __clang__ 1" ;; *) echo "clang $VERSION" ;; esac',
     "othercompiler": "",
@@ -52,7 +53,7 @@ class Allwmake(grainjet.Case):
         # an OpenFOAM as a user sources it
         foam = self.folder / "openfoam"
         self.env = {**openfoam_tree.make(foam, programs / "wmake"), "PATH": f"{programs}:{grainjet.ENV['PATH']}",
-                    "ABSENT": "", "UNKNOWN": "", "VERSION": "1", "LIGGGHTS_ROOT": ""}
+                    "ABSENT": "", "UNKNOWN": "", "PYTHON": "3.11.2-1", "VERSION": "1", "LIGGGHTS_ROOT": ""}
         self.phases = foam / "src/phaseSystemModels/reactingEulerFoam"
         self.phases.mkdir(parents=True)
 
@@ -121,6 +122,13 @@ class Allwmake(grainjet.Case):
         # the same with tests: these packages and no others
         _, calls = self.allwmake(ABSENT=absent)
         self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
+
+    def test_reader_of_TOML(self):
+        """A package of its own for a Python before 3.11, where scripts are wanted."""
+        for python, arguments, wanted in (("3.10.6-1~22.04", (), True), ("3.11.2-1", (), False), ("3.10.6-1~22.04", ("-no-tests",), False)):
+            with self.subTest(python=python, arguments=arguments):
+                _, calls = self.allwmake(*arguments, ABSENT=" python3-tomli ", PYTHON=python)
+                self.assertEqual([call.endswith(" install python3-tomli") for call in calls if "apt-get" in call], [True]*wanted)
 
     def test_packages(self):
         """Made last, of what has been built; the package that makes them is asked for then only."""
