@@ -178,6 +178,17 @@ class Allwmake(grainjet.Case):
         self.assertEqual(result.output.count("host-version: "), 1, result)
         self.assertEqual([call for call in calls if "cmake" in call or "libso" in call], [])
 
+    def test_libraries_of_an_earlier_build(self):
+        """Those in lib go where they are now put elsewhere, so that only one of each is found."""
+        (self.copy / "lib").mkdir()
+        earlier = [self.copy / "lib" / name for name in ("libliggghtsCoupling.so", "hertzcgplugin.so")]
+        for path in earlier:
+            path.write_text("")
+        for folder, left in ((None, earlier), (self.copy / "lib/../lib", earlier), (self.folder / "user/lib", earlier[1:])):
+            result, _ = self.allwmake(**({"FOAM_USER_LIBBIN": folder} if folder else {}))
+            self.assertEqual(result.code, 0, result)
+            self.assertEqual([path for path in earlier if path.exists()], left, folder)
+
     def test_unknown_arguments(self):
         for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):
             with self.subTest(arguments):
@@ -196,6 +207,16 @@ class Allwmake(grainjet.Case):
         self.assertRefused(["'othercompiler'", "neither g++ nor clang++"], CXX="othercompiler")
         self.assertRefused(["'clang++'", "set up for Gcc", "WM_COMPILER=Clang"], CXX="clang++")
         self.assertRefused(["'g++'", "set up for Clang", "WM_COMPILER=Gcc"], CXX="g++", WM_COMPILER="Clang")
+
+    def test_mpi_that_is_refused(self):
+        """Of OpenFOAM and LIGGGHTS, which share the ranks."""
+        pstream = pathlib.Path(self.env["FOAM_LIBBIN"]) / "my-mpi/libPstream.so"
+        openfoam_tree.library_of_mpi(pstream, "libmpich.so.12")
+        self.assertRefused([str(self.folder / "openfoam"), "uses the MPI libmpich.so.12", str(host_library.installed()), "libmpi.so.40"],
+                           FOAM_MPI="my-mpi")
+        openfoam_tree.library_of_mpi(pstream, "libmpi.so.40")
+        result, _ = self.allwmake(FOAM_MPI="my-mpi")
+        self.assertEqual(result.code, 0, result)
 
     def test_precision_that_is_refused(self):
         for precision in ("SP", "SPDP"):
