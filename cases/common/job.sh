@@ -55,23 +55,27 @@ progress()
         }'
 }
 
-built()
+# absent: the first part of Grainjet that is not there, if any
+absent()
 {
     local name
-    for name in hertzcgplugin fluidforceplugin platestatsplugin
+    for name in liggghtsloader hertzcgplugin fluidforceplugin platestatsplugin wallroughnessplugin
     do
-        [ -f "$root/lib/$name.so" ] || return 1
+        [ -f "$root/lib/$name.so" ] || { echo "$root/lib/$name.so"; return; }
     done
     for name in libjetTurbulenceModels libliggghtsCoupling libparticleSamplingPlanes
     do
-        [ -f "$root/lib/$name.so" ] || [ -f "${FOAM_USER_LIBBIN:-none}/$name.so" ] || return 1
+        [ -f "$root/lib/$name.so" ] || [ -f "${FOAM_USER_LIBBIN:-none}/$name.so" ] || { echo "$root/lib/$name.so"; return; }
     done
 }
 
-# fits: stop if the packed Grainjet is for another OpenFOAM than the one that would run
+# fits: stop if the packed Grainjet is not complete, or for another OpenFOAM than the one that would run
 fits()
 {
     local wanted found
+    found=$(absent)
+    [ -n "$found" ] || [ -f "$root/built-for" ] || found=$root/built-for
+    [ -z "$found" ] || fail "the Grainjet in $root is not complete, there is no $found: install it again"
     wanted=$(sed -n 's/^OpenFOAM v//p' "$root/built-for")
     found=$(blockMesh -help 2>&1 | sed -n 's/^Using: .*(\([0-9]*\)).*/\1/p') || true
     [ -n "$found" ] || fail "there is no OpenFOAM that works: install the package openfoam, or source one of v$wanted"
@@ -88,7 +92,7 @@ prepare()
     [ ! -d system ] || [ -w . ] || fail "the folder $PWD cannot be written to: copy it to one of your own and run ./Allrun there"
     if [ -x "$root/Allwmake" ]
     then
-        built || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
+        [ -z "$(absent)" ] || { echo "Grainjet is not built yet: building"; "$root/Allwmake"; }
         . "$root/environment"
     else
         . "$root/environment"

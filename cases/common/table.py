@@ -8,7 +8,15 @@ follows from it (steps, times, numbers of cells, size classes)."""
 
 import math
 import pathlib
-import tomllib
+import sys
+
+try:
+    import tomllib
+except ModuleNotFoundError:         # before Python 3.11 the same module is a package of its own
+    try:
+        import tomli as tomllib
+    except ModuleNotFoundError:
+        sys.exit(f"Python {sys.version.split()[0]} ({sys.executable}) reads no TOML: install the package python3-tomli")
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = HERE.parent/"parameters.toml"
@@ -63,13 +71,18 @@ def round_down(value, digits=2):
     return float(f"{math.floor(value/unit + 1e-9)*unit:.{digits}g}")
 
 
+def read_toml(path):
+    """The tables of a file, as dicts."""
+    return tomllib.loads(path.read_text())
+
+
 class Table:
     """All of parameters.toml, checked key by key."""
 
     def __init__(self, path=PATH):
         self.path = pathlib.Path(path)
         try:
-            self.data = tomllib.loads(self.path.read_text())
+            self.data = read_toml(self.path)
         except tomllib.TOMLDecodeError as error:
             raise TableError(f"{self.path}: {error}") from None
         self.cases = self.data["case"]

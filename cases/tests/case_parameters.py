@@ -173,6 +173,20 @@ class Generated(grainjet.Case):
             table.Table(path).run("Hardalupas1", "quick")
         self.assertIn("cellLength", str(caught.exception))
 
+    def test_python_without_a_reader_of_TOML(self):
+        """As 3.10 is: the package python3-tomli does, without it the message names it."""
+        script = "import sys; sys.modules['tomllib'] = None; import table; print(*table.Table().cases)"
+
+        def read():
+            return grainjet.run(["/usr/bin/python3", "-B", "-c", script], self.folder, env={"PYTHONPATH": f"{self.folder}:{CASES}/common"})
+
+        (self.folder/"tomli.py").write_text("raise ModuleNotFoundError('No module named tomli')\n")
+        self.assertFails(read(), "reads no TOML: install the package python3-tomli")
+        # the same module under its other name
+        (self.folder/"tomli.py").write_text("import sys\n\ndel sys.modules['tomllib']\nfrom tomllib import TOMLDecodeError, loads\n")
+        result = read()
+        self.assertEqual(result.output.split(), list(table.Table().cases), result)
+
 
 if __name__ == "__main__":
     unittest.main()

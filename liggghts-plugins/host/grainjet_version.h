@@ -12,4 +12,7 @@
    of the version: both builds and the packages read it here.                           */
 #define GRAINJET_VERSION "0.6.0"
 
+/* What to do where parts of two builds meet, for messages: fits a package and a folder that was built in */
+#define GRAINJET_ANEW "install Grainjet again, or run ./Allwmake where you built it"
+
 #endif

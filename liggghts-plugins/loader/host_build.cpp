@@ -211,6 +211,6 @@ std::string grainjet::host_build::misfit(const std::string &stamp)
   std::string text = "was built for " + stamp + ", but this is " + here;
   if (here.compare(0, known.size(), known) != 0)
     return text + ". Grainjet is for the public version 3.8.0 only (" + supported + "), since classes of other versions differ";
-  return text + difference(stamp, here) + ". Build it again for this LIGGGHTS: ./Allwmake in Grainjet's folder "
-    "for its own parts. If another LIGGGHTS is meant, LIGGGHTS_ROOT names it";
+  return text + difference(stamp, here) + ". Build it again for this LIGGGHTS (a part of Grainjet: install a package "
+    "made for it, or run ./Allwmake where you built Grainjet). If another LIGGGHTS is meant, LIGGGHTS_ROOT names it";
 }

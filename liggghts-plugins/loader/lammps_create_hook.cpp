@@ -23,7 +23,9 @@
 #include <liggghts/lammps.h>
 #include <liggghts/error.h>
 
+#include <mpi.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <string>
 
@@ -44,9 +46,27 @@ void check_other_loader(LAMMPS *lmp)
 
   const std::string why = "Two plugin loaders are in this process: " + file + " of " +
     (version.empty() ? std::string("an earlier Grainjet (it states no version)") : "Grainjet " + version) +
-    " and " + plugin_file::loader() + " of Grainjet " GRAINJET_VERSION ". Build all of Grainjet again "
-    "with ./Allwmake, and let LD_PRELOAD and LD_LIBRARY_PATH name one build only";
+    " and " + plugin_file::loader() + " of Grainjet " GRAINJET_VERSION ". Let LD_PRELOAD, "
+    "LD_LIBRARY_PATH and FOAM_USER_LIBBIN lead to one of them only, or " GRAINJET_ANEW;
   lmp->error->all(FLERR, why.c_str());
+}
+
+// Ranks that the mpirun of another MPI has started are one rank each, and do all the same. The
+// variable is how that mpirun tells its own MPI how many there are
+std::string other_mpirun()
+{
+#ifdef OPEN_MPI
+  const char *variable = "PMI_SIZE", *ours = "Open MPI";
+#else
+  const char *variable = "OMPI_COMM_WORLD_SIZE", *ours = "MPICH";
+#endif
+  int ranks;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const char *told = getenv(variable);
+  if (ranks > 1 || !told || atoi(told) < 2) return "";
+  return "The mpirun of another MPI has started " + std::string(told) + " ranks, but LIGGGHTS uses " + ours +
+    ", to which each is alone: all would do the same and write the same files. Use the mpirun of " + ours +
+    "; if this is one rank among other programs, unset " + variable;
 }
 
 }
@@ -59,6 +79,7 @@ void LAMMPS::create()
   // on other machines may have another LIGGGHTS
   const std::string misfit = grainjet::host_build::misfit(LIGGGHTSPLUGIN_HOST);
   grainjet::plugin_file::agree(this, misfit.empty() ? "" : "The plugin loader " + misfit);
+  grainjet::plugin_file::agree(this, other_mpirun());
 
   // as in preload_once.cpp, for another screen than the launcher's and other programs
   if (screen) setvbuf(screen, NULL, _IOLBF, 0);

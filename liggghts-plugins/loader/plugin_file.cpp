@@ -122,8 +122,8 @@ std::string refusal(void *file)
   const std::string grainjet = stamp(file);
   if (init && grainjet != GRAINJET_VERSION)
     return " was built with " + (grainjet.empty() ? "an earlier Grainjet (it states no version)" : "Grainjet " + grainjet) +
-      ", but this is Grainjet " GRAINJET_VERSION ". Build it again with this one: ./Allwmake in Grainjet's folder "
-      "for its own plugins";
+      ", but this is Grainjet " GRAINJET_VERSION " (" + grainjet::plugin_file::loader() +
+      "). Build it again with this one. If it is a part of Grainjet, " GRAINJET_ANEW;
 
   const liggghtsplugin_description *description = init ? init() : NULL;
   if (!description || !description->host)

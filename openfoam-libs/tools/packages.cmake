@@ -132,7 +132,8 @@ if(liggghts AND openfoam AND DPKG_SHLIBDEPS)
   string(JOIN ", " CPACK_DEBIAN_PACKAGE_DEPENDS
     "${liggghts_name} (= ${liggghts_version})" liggghts
     "${openfoam_name} (>= ${openfoam_upstream})" "${openfoam_name} (<< ${openfoam_upstream}.)" openfoam
-    openmpi-bin python3 python3-matplotlib python3-numpy python3-scipy python3-vtk9)
+    openmpi-bin python3 python3-matplotlib python3-numpy python3-scipy python3-vtk9
+    "python3 (>= 3.11) | python3-tomli")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)
   set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

@@ -7,12 +7,11 @@ import math
 import pathlib
 import re
 import sys
-import tomllib
 
 import grainjet
 
 sys.path.insert(0, str(grainjet.ROOT/"cases/common"))
-import table as jets                           # noqa: E402  size classes and Rayleigh time, as the jets have them
+import table as jets                           # noqa: E402  size classes, Rayleigh time, TOML, as the jets have them
 
 PATH = pathlib.Path(__file__).resolve().parent/"pipes.toml"
 
@@ -38,7 +37,7 @@ class Pipes:
     """All of pipes.toml."""
 
     def __init__(self, path=PATH):
-        self.data = tomllib.loads(pathlib.Path(path).read_text())
+        self.data = jets.read_toml(pathlib.Path(path))
 
     def model(self, name):
         """The sum of the models whose names are joined by `+`: options, forces, script, collisions."""

@@ -7,7 +7,6 @@ import csv
 import json
 import math
 import pathlib
-import tomllib
 
 import numpy
 import table
@@ -65,7 +64,7 @@ class Results:
     def __init__(self, folder, size, experiments=None):
         self.folder, self.size = pathlib.Path(folder), size
         self.table = table.Table()
-        self.paper = tomllib.loads((pathlib.Path(__file__).parent/"paper.toml").read_text())
+        self.paper = table.read_toml(pathlib.Path(__file__).parent/"paper.toml")
         self.runs = {}
         for path in sorted(self.folder.glob(f"*-{size}/summary.json")):
             run = Run(path.parent)

@@ -81,6 +81,18 @@ class Launcher(LoaderCase):
         result = grainjet.run([grainjet.ROOT / "bin/liggghts-plugins"], self.folder, env={"PATH": str(tools)})
         self.assertFails(result, "no program liggghts in PATH")
 
+    def test_mpirun_of_another_MPI(self):
+        """It would start the same run several times. Seen by the variable of MPICH's, where LIGGGHTS knows of one rank."""
+        (self.folder / "in.test").write_text("plugin list\n")
+        for ranks, size, fault in ((0, "2", True), (0, "1", False), (0, "", False), (2, "2", False)):
+            result = grainjet.run([*grainjet.mpirun(ranks), "env", f"PMI_SIZE={size}", "liggghts-plugins", "-in", "in.test"], self.folder)
+            with self.subTest(ranks=ranks, size=size):
+                if fault:
+                    self.assertFails(result, "mpirun of another MPI has started 2 ranks", "uses Open MPI", "unset PMI_SIZE")
+                    self.assertEqual(result.output.count("ERROR"), 1, result)
+                else:
+                    self.assertEqual(result.code, 0, result)
+
 
 class Guards(LoaderCase):
 

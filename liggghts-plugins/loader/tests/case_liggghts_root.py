@@ -63,10 +63,10 @@ class Root(LoaderCase):
             self.assertFails(result, *words)
             self.assertEqual(len(result.output.splitlines()), 1, result)
 
-    def launched(self, root, program=None):
+    def launched(self, root, program=None, **variables):
         (self.folder / "in.test").write_text("plugin list\n")
         return grainjet.run([program or "liggghts-plugins", "-in", "in.test"], self.folder, timeout=60,
-                            env={"LIGGGHTS_ROOT": str(root)})
+                            env={"LIGGGHTS_ROOT": str(root), **variables})
 
     def compiled(self, source, to, *options):
         path = self.folder / (to.name + ".cpp")
@@ -123,6 +123,8 @@ class Root(LoaderCase):
         result = grainjet.run([HOST_VERSION], self.folder,
                               env={"LIGGGHTS_ROOT": str(lonely), "LD_LIBRARY_PATH": str(other.parent)})
         self.assertFails(result, str(other), "outside LIGGGHTS_ROOT", "mixed")
+        result = self.launched(lonely, LD_LIBRARY_PATH=str(other.parent))
+        self.assertFails(result, "liggghts-plugins: ", str(other), "outside LIGGGHTS_ROOT", f"{lonely}/lib")
 
     def test_other_versions(self):
         for name in OTHERS:

@@ -40,7 +40,7 @@ class Versions(LoaderCase):
     def test_plugin_of_another_version(self):
         path = self.plugin("othergrainjetplugin.so")
         self.assertRefused("plugin load othergrainjetplugin.so\n", str(path.resolve()),
-                           "was built with Grainjet 0.0.9", f"this is Grainjet {VERSION}", "./Allwmake")
+                           "was built with Grainjet 0.0.9", f"this is Grainjet {VERSION} ({grainjet.ROOT}/lib/liggghtsloader.so)", "./Allwmake")
 
     def test_plugin_without_version_and_with_another_description(self):
         path = self.plugin("unstampedplugin.so")

@@ -28,6 +28,7 @@ const Foam::dictionary& checkedCase
 
     // LIGGGHTS needs MPI also where the solver runs without
     Foam::UPstream::initNull();
+    Foam::liggghtsSession::checkRanks(Foam::Pstream::nProcs());
     return dict;
 }
 

@@ -104,8 +104,8 @@ void Foam::liggghtsSession::checkVersion() const
         (
             "Script " + script_ + ": its fix fluid/force comes from Grainjet " + version
           + ", but this coupling is of Grainjet " GRAINJET_VERSION
-            ". Build all of Grainjet again with ./Allwmake, and let plugin load and"
-            " LIGGGHTS_PLUGIN_PATH find the plugins of this build"
+            ". Let plugin load, LIGGGHTS_PLUGIN_PATH and FOAM_USER_LIBBIN lead to"
+            " one of them only, or " GRAINJET_ANEW
         );
     }
 }

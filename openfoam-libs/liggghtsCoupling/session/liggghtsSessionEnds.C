@@ -162,6 +162,30 @@ Foam::liggghtsSession::~liggghtsSession()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::liggghtsSession::checkRanks(const int solver)
+{
+    int ranks, me;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    MPI_Comm_rank(MPI_COMM_WORLD, &me);
+    if (ranks == solver)
+    {
+        return;
+    }
+
+    // Each solver takes itself for the first rank. One of them is heard, and ends all
+    if (me > 0)
+    {
+        sleep(2);
+    }
+    sessionError
+    (
+        "mpirun has started " + std::to_string(ranks) + " ranks, but the solver computes on "
+      + std::to_string(solver) + ": each would compute the whole flow with a part of the grains."
+        "\n    Give the solver the option -parallel, after decomposePar, or start it without mpirun"
+    );
+}
+
+
 void Foam::liggghtsSession::finish()
 {
     if (!running_)

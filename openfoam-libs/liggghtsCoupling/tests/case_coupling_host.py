@@ -60,6 +60,15 @@ class Host(bad_case.BadCase):
         self.refused("calls its own functions", "-Bsymbolic",
                      LD_LIBRARY_PATH=f"{library.parent}:{grainjet.ENV['LD_LIBRARY_PATH']}")
 
+    def test_mpirun_without_parallel(self):
+        """Each rank would compute the whole flow, and LIGGGHTS share the grains among them."""
+        folder = self.fresh()
+        result = grainjet.run([*grainjet.mpirun(2), "pimpleFoam"], folder, timeout=60)
+        self.assertFails(result, "FOAM FATAL", "mpirun has started 2 ranks, but the solver computes on 1", "-parallel")
+        self.assertEqual(result.output.count("FATAL ERROR"), 1, result)
+        result = grainjet.run(["env", "PMI_SIZE=2", "pimpleFoam"], folder, timeout=60)
+        self.assertFails(result, "FOAM FATAL", "mpirun of another MPI has started 2 ranks")
+
     def test_a_preloaded_loader_does_no_harm(self):
         for ranks in (0, 2):
             folder = self.fresh()

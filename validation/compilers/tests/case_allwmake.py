@@ -19,7 +19,8 @@ from grainjet import host_library, openfoam_tree
 PROGRAMS = {
     "cmake": "", "wmake": '[ "$1" != -show-cxx ] || echo g++ -std=c++11', "wmakeLnInclude": "", "apt-get": "",
     "apt-cache": 'case "$UNKNOWN" in *" $2 "*) ;; *) echo "  Candidate: 1.0" ;; esac',
-    "dpkg-query": 'case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac', "id": "echo 0",
+    "dpkg-query": 'case "$3" in *Version*) echo "$PYTHON"; exit ;; esac; case "$ABSENT" in *" $4 "*) ;; *) printf installed ;; esac',
+    "id": "echo 0",
     "g++": 'case "$*" in *-dM*) echo "#define __GNUC__ 12" ;; *) echo "g++ $VERSION" ;; esac',
     "clang++": 'case "$*" in *-dM*) echo "#define __GNUC__ 4"; echo "#define __clang__ 1" ;; *) echo "clang $VERSION" ;; esac',
     "othercompiler": "",
@@ -52,7 +53,7 @@ class Allwmake(grainjet.Case):
         # an OpenFOAM as a user sources it
         foam = self.folder / "openfoam"
         self.env = {**openfoam_tree.make(foam, programs / "wmake"), "PATH": f"{programs}:{grainjet.ENV['PATH']}",
-                    "ABSENT": "", "UNKNOWN": "", "VERSION": "1", "LIGGGHTS_ROOT": ""}
+                    "ABSENT": "", "UNKNOWN": "", "PYTHON": "3.11.2-1", "VERSION": "1", "LIGGGHTS_ROOT": ""}
         self.phases = foam / "src/phaseSystemModels/reactingEulerFoam"
         self.phases.mkdir(parents=True)
 
@@ -122,6 +123,13 @@ class Allwmake(grainjet.Case):
         _, calls = self.allwmake(ABSENT=absent)
         self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
 
+    def test_reader_of_TOML(self):
+        """A package of its own for a Python before 3.11, where scripts are wanted."""
+        for python, arguments, wanted in (("3.10.6-1~22.04", (), True), ("3.11.2-1", (), False), ("3.10.6-1~22.04", ("-no-tests",), False)):
+            with self.subTest(python=python, arguments=arguments):
+                _, calls = self.allwmake(*arguments, ABSENT=" python3-tomli ", PYTHON=python)
+                self.assertEqual([call.endswith(" install python3-tomli") for call in calls if "apt-get" in call], [True]*wanted)
+
     def test_packages(self):
         """Made last, of what has been built; the package that makes them is asked for then only."""
         for arguments, tests in ((["-package"], "ON"), (["-no-tests", "-package"], "OFF"), (["-package", "-no-tests"], "OFF")):
@@ -170,6 +178,17 @@ class Allwmake(grainjet.Case):
         self.assertEqual(result.output.count("host-version: "), 1, result)
         self.assertEqual([call for call in calls if "cmake" in call or "libso" in call], [])
 
+    def test_libraries_of_an_earlier_build(self):
+        """Those in lib go where they are now put elsewhere, so that only one of each is found."""
+        (self.copy / "lib").mkdir()
+        earlier = [self.copy / "lib" / name for name in ("libliggghtsCoupling.so", "hertzcgplugin.so")]
+        for path in earlier:
+            path.write_text("")
+        for folder, left in ((None, earlier), (self.copy / "lib/../lib", earlier), (self.folder / "user/lib", earlier[1:])):
+            result, _ = self.allwmake(**({"FOAM_USER_LIBBIN": folder} if folder else {}))
+            self.assertEqual(result.code, 0, result)
+            self.assertEqual([path for path in earlier if path.exists()], left, folder)
+
     def test_unknown_arguments(self):
         for arguments in (["-notests"], ["-no-tests", "more"], ["-help"], ["all"]):
             with self.subTest(arguments):
@@ -188,6 +207,16 @@ class Allwmake(grainjet.Case):
         self.assertRefused(["'othercompiler'", "neither g++ nor clang++"], CXX="othercompiler")
         self.assertRefused(["'clang++'", "set up for Gcc", "WM_COMPILER=Clang"], CXX="clang++")
         self.assertRefused(["'g++'", "set up for Clang", "WM_COMPILER=Gcc"], CXX="g++", WM_COMPILER="Clang")
+
+    def test_mpi_that_is_refused(self):
+        """Of OpenFOAM and LIGGGHTS, which share the ranks."""
+        pstream = pathlib.Path(self.env["FOAM_LIBBIN"]) / "my-mpi/libPstream.so"
+        openfoam_tree.library_of_mpi(pstream, "libmpich.so.12")
+        self.assertRefused([str(self.folder / "openfoam"), "uses the MPI libmpich.so.12", str(host_library.installed()), "libmpi.so.40"],
+                           FOAM_MPI="my-mpi")
+        openfoam_tree.library_of_mpi(pstream, "libmpi.so.40")
+        result, _ = self.allwmake(FOAM_MPI="my-mpi")
+        self.assertEqual(result.code, 0, result)
 
     def test_precision_that_is_refused(self):
         for precision in ("SP", "SPDP"):

@@ -87,6 +87,10 @@ class SourcedOpenFOAM(grainjet.Case):
         self.assertRefused(str(self.library/"lib"), "cannot be written to", "FOAM_USER_LIBBIN",
                            FOAM_USER_LIBBIN=self.library/"lib")
 
+        for name in ("libraries", "./lib", f"{self.folder}/my libraries", f"{self.folder}/a:b"):
+            self.assertRefused(f"FOAM_USER_LIBBIN is '{name}'", "blanks", FOAM_USER_LIBBIN=name)
+            self.assertFalse((self.folder/name).exists())
+
         folder.chmod(0o555)
         self.folder.chmod(0o755)
         user = NOBODY if os.geteuid() == 0 else []

@@ -169,6 +169,20 @@ class Tarball(Package):
         self.assertRegex(ran.output, r"is for OpenFOAM v2412, but v\d+ is the one that runs")
         self.assertFalse(list(case.glob("log.*")))
 
+    def test_incomplete(self):
+        """Stops before anything runs, and names the file."""
+        case = self.folder/"incomplete"
+        shutil.copytree(self.tree/"cases/quickJet", case)
+        for name in ("lib/libliggghtsCoupling.so", "lib/fluidforceplugin.so", "built-for"):
+            with self.subTest(name):
+                (self.tree/name).rename(self.folder/"away")
+                ran = self.user(f". {self.tree}/environment; ./Allrun", case)
+                (self.folder/"away").rename(self.tree/name)
+                self.assertNotEqual(ran.code, 0, ran)
+                self.assertEqual(ran.output.count("\n"), 1, ran)
+                self.assertIn(f"is not complete, there is no {self.tree/name}: install it again", ran.output)
+                self.assertFalse(list(case.glob("log.*")))
+
     def test_folder_that_cannot_be_written_to(self):
         case = self.folder/"shared"
         shutil.copytree(self.tree/"cases/quickJet", case)

@@ -21,6 +21,16 @@ def library(path, api):
                    check=True, env={**os.environ, "CCACHE_DISABLE": "1"})
 
 
+def library_of_mpi(path, mpi):
+    """libPstream.so, of which only the MPI that it is linked with is true."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    empty = ["g++", "-shared", "-fPIC", "-x", "c++", "/dev/null"]
+    env = {**os.environ, "CCACHE_DISABLE": "1"}
+    other = path.parent/mpi
+    subprocess.run([*empty, f"-Wl,-soname,{mpi}", "-o", other], check=True, env=env)
+    subprocess.run([*empty, "-x", "none", "-Wl,--no-as-needed", other, "-o", path], check=True, env=env)
+
+
 def of_another_processor(path):
     """Change the processor that a library says it is for."""
     data = bytearray(path.read_bytes())
