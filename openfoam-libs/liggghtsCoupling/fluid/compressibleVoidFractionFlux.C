@@ -15,6 +15,7 @@ Description
 #include "fvmLaplacian.H"
 #include "fvMatrices.H"
 #include "linear.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -38,7 +39,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::compressibleVoidFraction::coming
     const auto* perPressure = mesh.cfindObject<surfaceScalarField>("phid");
     const auto* ofFaces = mesh.cfindObject<surfaceScalarField>("rhorAUf");
     const auto* ofCells = mesh.cfindObject<volScalarField>("rhorAtU");
-    const auto* psi = mesh.cfindObject<volScalarField>("thermo:psi");
+    const word psiName(releases::ofThermo("psi"));
+    const auto* psi = mesh.cfindObject<volScalarField>(psiName);
     if (!psi || (!ofFaces && !ofCells) || (!explicitFlux && !perPressure))
     {
         couplingEntries::onMaster
@@ -47,8 +49,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::compressibleVoidFraction::coming
             {
                 FatalErrorInFunction
                     << "voidFraction { equations full; } (constant/fvOptions): the pressure equation of this"
-                    << " solver is not made of the fields that rhoPimpleFoam and sonicFoam have for it:"
-                    << " thermo:psi, phiHbyA or phid, and rhorAUf or rhorAtU. Take one of these solvers, or set"
+                    << " solver is not made of the fields that rhoPimpleFoam and sonicFoam have for it: "
+                    << psiName << ", phiHbyA or phid, and rhorAUf or rhorAtU. Take one of these solvers, or set"
                     << " equations neglected" << exit(FatalError);
             }
         );

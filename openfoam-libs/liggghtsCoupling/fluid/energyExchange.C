@@ -9,6 +9,7 @@
 #include "continuedField.H"
 #include "couplingEntries.H"
 #include "fvMatrices.H"
+#include "releases.H"
 #include "voidFractionEquations.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -61,7 +62,7 @@ Foam::word Foam::energyExchange::fieldName(const fvMesh& mesh)
 
 void Foam::energyExchange::keepOldTimes(const fvMesh& mesh)
 {
-    for (const word& name : {word("K"), word("thermo:psi")})
+    for (const word& name : {word("K"), releases::ofThermo("psi")})
     {
         const auto* field = mesh.cfindObject<volScalarField>(name);
         if (field)

@@ -12,7 +12,7 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
-from grainjet import dictionaries
+from grainjet import dictionaries, releases
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 WRONG = (                            # words of the error; the entries
@@ -58,7 +58,7 @@ class Input(grainjet.Case):
     def assertRefused(self, words, ranks=0, **changes):
         stream.control(self.folder, 0.05, functions=stream.sampling(**changes))
         result = self.foam(SOLVER, ranks=ranks, check=False)
-        self.assertFails(result, "FOAM FATAL IO ERROR", "controlDict.functions.profiles", *words)
+        self.assertFails(result, "FOAM FATAL IO ERROR", releases.nested("controlDict", "functions", "profiles"), *words)
         self.assertNotIn("Time = 0.01", result.output, "before the first step")
 
     def test_refused(self):

@@ -30,6 +30,10 @@ class SourcedOpenFOAM(grainjet.Case):
         self.copy = self.folder/"grainjet"
         (self.copy/"lib").mkdir(parents=True)
         shutil.copytree(grainjet.ROOT/"openfoam-libs/tools", self.copy/"openfoam-libs/tools")
+        for options in (grainjet.ROOT/"openfoam-libs").glob("*/Make/options"):
+            copy = self.copy/options.relative_to(grainjet.ROOT)
+            copy.parent.mkdir(parents=True)
+            shutil.copy(options, copy)
         (self.copy/"Allwmake").write_text("#!/bin/bash\ncd \"$(dirname \"$0\")\"\n. openfoam-libs/tools/openfoam-environment\n"
                                           "echo \"compiling for $openfoam into $FOAM_USER_LIBBIN\"\n")
         (self.copy/"Allwmake").chmod(0o755)
@@ -68,6 +72,14 @@ class SourcedOpenFOAM(grainjet.Case):
     def test_not_compiled(self):
         self.library.unlink()
         self.assertRefused("no libraries", str(self.library), "Compile that OpenFOAM first")
+
+    def test_not_compiled_whole(self):
+        """Each library that Grainjet's are linked with: the linker would take a missing one from Debian's package."""
+        for name in openfoam_tree.NEEDED:
+            library = self.tree/f"lib/lib{name}.so"
+            library.unlink()
+            self.assertRefused("not compiled whole", str(library), "Compile the rest")
+            library.touch()
 
     def test_another_processor(self):
         openfoam_tree.of_another_processor(self.library)

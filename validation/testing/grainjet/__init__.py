@@ -17,6 +17,7 @@ coupled_box     a small coupled case
 impacts         impacts of single grains
 bad_input       inputs spoilt in every way
 pages           the blocks and tables of the pages in docs/
+releases        what differs between the releases of OpenFOAM
 
 It holds no tolerances. A file finds the package by PYTHONPATH, which `source environment` and ctest set.
 """

@@ -10,6 +10,9 @@ import subprocess
 import grainjet
 
 LIBRARY = "namespace Foam {{ namespace foamVersion {{ extern const int api; const int api = {api}; }} }}"
+# what Grainjet's libraries are linked with
+NEEDED = ("finiteVolume", "meshTools", "incompressibleTransportModels", "turbulenceModels", "incompressibleTurbulenceModels",
+          "compressibleTurbulenceModels", "DPMTurbulenceModels", "interfaceProperties")
 # where an ELF file names its processor, and the number of one that no test runs on
 MACHINE, RISC_V = 18, 243
 
@@ -45,6 +48,8 @@ def make(folder, wmake, api=1912):
     (folder/"wmake").mkdir()
     shutil.copy(wmake, folder/"wmake/wmake")
     library(folder/"lib/libOpenFOAM.so", api)
+    for name in NEEDED:
+        (folder/f"lib/lib{name}.so").touch()
     return {"WM_PROJECT": "OpenFOAM", "WM_PROJECT_DIR": folder, "WM_PROJECT_VERSION": f"v{api}", "WM_COMPILER": "Gcc",
             "WM_OPTIONS": "linux64", "WM_PRECISION_OPTION": "DP", "FOAM_LIBBIN": folder/"lib", "FOAM_USER_LIBBIN": "",
             "PATH": f"{folder/'wmake'}:{grainjet.ENV['PATH']}", "CXX": ""}
