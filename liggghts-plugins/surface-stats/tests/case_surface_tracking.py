@@ -155,6 +155,31 @@ class SurfaceTracking(SurfaceCase):
             print "vector $c $t $d" """), 2)
         self.assertIn("vector 0 0 1", result.output)
 
+    def test_with_hertz_cg(self):
+        """fix hertz/cg makes neighbour lists when it sees fit; nothing is missed: the impacts of the stock pair style."""
+        self.mesh(sheet(n=9, half=0.0071, height=inclined(10)))
+        self.data(shower(100))
+        events = []
+        for more in ({}, {"pair": "fix c all hertz/cg", "plugins": "plugin load surfacestatsplugin.so\nplugin load hertzcgplugin.so"}):
+            self.liggghts(self.script(f"{STATS}\nrun 5000", dt=2e-7, gravity=5000.0, **more), 2)
+            events.append(self.events())
+        self.assertGreater(len(events[0]), 80)
+        self.assertEqual([(e["id"], e["triangle"]) for e in events[1]], [(e["id"], e["triangle"]) for e in events[0]])
+        for found, expected in zip(*events):
+            self.assertAlmostEqual(found["speed_before"] / expected["speed_before"], 1, delta=1e-6)
+
+    def test_empty_box(self):
+        """No grain, ever: files of nothing, on ranks with and without triangles, of a mesh that moves."""
+        self.mesh(sheet())
+        for ranks in (0, 2):
+            self.liggghts(self.script(
+                f"{STATS}\nfix v all move/mesh mesh m linear 1 0 0.1\nrun 200\nrun 200",
+                read="region box block -0.01 0.01 -0.01 0.01 -0.001 0.02 units box\ncreate_box 1 box"), ranks)
+            row = self.table()["all"]
+            self.assertEqual((row["collisions"], row["touching"], row["deleted"], row["triangles_hit"]), (0, 0, 0, 0))
+            self.assertAlmostEqual(row["area"], 0.012 ** 2, delta=1e-15)
+            self.assertEqual(sum(self.map()["impacts"]), 0)
+
     def test_series_and_formats(self):
         """A star gives a series with an index; the legacy format holds the same numbers."""
         self.mesh(sheet())
