@@ -112,6 +112,25 @@ class SurfaceTracking(SurfaceCase):
                 self.assertGreater(len(here), 1)
                 self.assertEqual(events[i]["triangle"], here[0], (ranks, x, y))
 
+    def test_the_triangle_below_the_grain(self):
+        """Of a mesh that fills a periodic box, at rest and moved through its boundary: the triangle of each impact
+        is the one whose corners hold the grain's place, the mesh drawn back to where it began."""
+        n, half, speed = 8, 0.01, 3.0
+        self.mesh(sheet(n, half))
+        self.data([(1.9 * x, 1.9 * y, z, 5 * u, 5 * v, w) for x, y, z, u, v, w in shower()])
+        for wind in (0.0, speed):
+            move = f"fix v all move/mesh mesh m linear {wind} 0 0" if wind else ""
+            self.liggghts(self.script(f"{STATS}\n{move}\nrun 4000\nrun 4000", pair="", dt=2e-7, gravity=5000.0,
+                                      boundary="p p f"), 2)
+            events = self.events()
+            self.assertGreaterEqual(len(events), 150)
+            for e in events:
+                # a square is cut from its lowest corner to its highest one
+                a = ((e["x"] - wind * e["time"] + half) % (2 * half)) * n / (2 * half)
+                b = (e["y"] + half) * n / (2 * half)
+                below = 2 * (n * int(a) + int(b)) + (a % 1 <= b % 1)
+                self.assertEqual(e["triangle"], below, (wind, e))
+
     def test_two_meshes_in_a_corner(self):
         """A grain that flies into a corner of two meshes touches one, then also the other: one collision, of the
         mesh that it touches first. A mesh of the wall that is not named counts nothing."""
