@@ -117,7 +117,7 @@ class SurfaceTracking(SurfaceCase):
         is the one whose corners hold the grain's place, the mesh drawn back to where it began."""
         n, half, speed = 8, 0.01, 3.0
         self.mesh(sheet(n, half))
-        self.data([(1.9 * x, 1.9 * y, z, 5 * u, 5 * v, w) for x, y, z, u, v, w in shower()])
+        self.data([(1.9 * x + 1e-5, 1.9 * y, z, 5 * u, 5 * v, w) for x, y, z, u, v, w in shower()])
         for wind in (0.0, speed):
             move = f"fix v all move/mesh mesh m linear {wind} 0 0" if wind else ""
             self.liggghts(self.script(f"{STATS}\n{move}\nrun 4000\nrun 4000", pair="", dt=2e-7, gravity=5000.0,
