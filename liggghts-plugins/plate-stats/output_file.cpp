@@ -72,7 +72,7 @@ std::string OutputFile::check_own(const std::string &path, const std::string &li
   fclose(file);
   const std::string own = line + "\n";
   if (found == own || (cut && own.compare(0, found.size(), found) == 0)) return "";
-  return "'" + path + "' exists and was not written by fix plate/stats, so it is not "
+  return "'" + path + "' exists and was not written by this fix, so it is not "
     "overwritten; move it away or give another path";
 }
 
