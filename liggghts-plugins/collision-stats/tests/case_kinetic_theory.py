@@ -18,7 +18,7 @@ from collision_case import CollisionCase, gas, mass
 from scipy import stats
 
 D, RHO, PHI, COUNT, SPEED = 0.001, 2500.0, 0.04, 1000, 1.0
-DT, STEPS = 1.5e-6, 160000
+DT, STEPS = 1.5e-6, 240000
 BINS = 24
 
 BODY = f"""
