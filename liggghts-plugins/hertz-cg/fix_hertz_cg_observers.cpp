@@ -51,8 +51,16 @@ bool FixHertzCg::observed(const ContactObserver *observer) const
 
 void FixHertzCg::visit(const ContactObserver *observer, const Visit &visit) const
 {
-  if (!pairs_valid_) return;
   const int nlocal = atom->nlocal;
+  if (!pairs_valid_) {
+    // put by, as after write_restart: by each of the two grains
+    for (int i = 0; i < nlocal; ++i)
+      for (int n = 0; n < store_.count(i); ++n) {
+        const double *state = observers_.state(observer, store_.row(i, n));
+        if (state) visit(atom->tag[i] < store_.entries(i)[n].partner, state);
+      }
+    return;
+  }
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (!(pairs_.marks[p] & ContactPairs::TOUCHING)) continue;
     const double *state = observers_.state(observer, pairs_.row(p));
