@@ -8,7 +8,7 @@
 
 #include "collision-stats/collision_tables.h"
 #include "collision-stats/fix_collision_stats.h"
-#include "plate-stats/output_file.h"
+#include "wall-collisions/output_file.h"
 
 #include "host/expose_member.h"
 
@@ -81,7 +81,7 @@ std::string FixCollisionStats::check_files() const
     const bool temporary = p % 2 == 1;
     fault = OutputFile::check_kind(own[p]);
     if (fault.empty())
-      fault = OutputFile::check_own(own[p], p < 2 ? CollisionTables::totalsColumns() : CollisionTables::spectraColumns(),
+      fault = OutputFile::check_own(own[p], p < 2 ? CollisionTables::totalsColumns() : CollisionTables::spectraColumns(), style,
         temporary);
     if (fault.empty() && temporary) fault = OutputFile::check_folder(own[p]);
   }
@@ -150,7 +150,7 @@ std::string FixCollisionStats::write_file(int which, const std::string &columns,
 {
   const std::string &path = which == 0 ? path_ : spectraPath_;
   bool left = false;
-  const std::string fault = OutputFile::replace(path, columns, text, left);
+  const std::string fault = OutputFile::replace(path, columns, style, text, left);
   if (left && !left_[which])
     error->warning(FLERR, (std::string("Fix collision/stats (ID ") + id + "): '" + path
       + "' has become another file during the run and is not overwritten; the statistics are in '"
