@@ -110,7 +110,7 @@ std::vector<double> ContactObservers::pack() const
   return list;
 }
 
-void ContactObservers::unpack(const double *next)
+void ContactObservers::unpack(const double *next, ContactStore &store, ContactPairs &pairs)
 {
   places_.clear();
   size_ = 0;
@@ -121,4 +121,7 @@ void ContactObservers::unpack(const double *next)
     next += length;
     size_ += size;
   }
+  const std::vector<int> zeros(size_, -1);
+  store.layOut(zeros);
+  pairs.layOut(zeros);
 }

@@ -40,7 +40,7 @@ class ContactObservers {
   // ---- as doubles
 
   std::vector<double> pack() const;
-  void unpack(const double *);            // before the store has rows
+  void unpack(const double *, ContactStore &, ContactPairs &);    // before there are contacts
 
  private:
 

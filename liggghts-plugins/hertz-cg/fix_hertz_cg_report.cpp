@@ -273,8 +273,7 @@ void FixHertzCg::restart(char *buf)
   }
   if (list[VERSION] > 3.1) {
     // the contacts of the file have rows for them
-    observers_.unpack(reinterpret_cast<const double *>(buf) + NSAVED + static_cast<int>(list[NTYPES]) + 2);
-    store_.layOut(std::vector<int>(observers_.size(), -1));
+    observers_.unpack(reinterpret_cast<const double *>(buf) + NSAVED + static_cast<int>(list[NTYPES]) + 2, store_, pairs_);
   }
   for (int d = 0; d < 3; ++d) stream_[d] = list[STREAM + d];
   for (int d = 0; d < 2; ++d) state_restarted_[d] = list[STATE + d];
