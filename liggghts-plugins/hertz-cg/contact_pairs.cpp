@@ -48,6 +48,8 @@ bool ContactPairs::build(const Grains &g, double margin, const ContactStore &sto
 
   marks.assign(pairs.size(), 0);
   contacts.resize(pairs.size());
+  row_ = store.row();
+  rows.assign(pairs.size() * row_, 0.0);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const int i = pairs[p].i, j = pairs[p].j;
     const double *a = g.x + 3 * i, *b = g.x + 3 * j;
@@ -55,6 +57,7 @@ bool ContactPairs::build(const Grains &g, double margin, const ContactStore &sto
     // in a narrow periodic box another image of the same grain may be listed too
     if (!earlier && contact::dot(delta, delta) > 1.2 * pairs[p].reach2) continue;
     const ContactStore::Entry *best = nullptr;
+    int place = 0;
     double least = 1.0;
     for (int n = 0; n < store.count(i); ++n) {
       const ContactStore::Entry &e = store.entries(i)[n];
@@ -63,11 +66,13 @@ bool ContactPairs::build(const Grains &g, double margin, const ContactStore &sto
       const double strange = g.narrow ? strangeness(e.contact, delta) : 0.0;
       if (!(strange < least)) continue;
       best = &e;
+      place = n;
       least = strange;
     }
     if (!best) continue;
     marks[p] = static_cast<unsigned char>(best->marks);
     contacts[p] = best->contact;
+    std::copy_n(store.row(i, place), row_, row(p));
   }
   return true;
 }
@@ -79,11 +84,19 @@ void ContactPairs::save(ContactStore &store) const
   store.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!(marks[p] & TOUCHING)) continue;
-    store.add(pairs[p].i, {tags_[p].j, marks[p], contacts[p]});
+    store.add(pairs[p].i, {tags_[p].j, marks[p], contacts[p]}, row(p));
     if (pairs[p].j < nowned_)
-      store.add(pairs[p].j, {tags_[p].i, marks[p], contacts[p].mirrored()});
+      store.add(pairs[p].j, {tags_[p].i, marks[p], contacts[p].mirrored()}, row(p));
   }
   store.finish();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ContactPairs::layOut(const std::vector<int> &from)
+{
+  layOutRows(rows, row_, pairs.size(), from);
+  row_ = from.size();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -91,5 +104,5 @@ void ContactPairs::save(ContactStore &store) const
 std::size_t ContactPairs::bytes() const
 {
   return pairs.capacity() * sizeof(Pair) + marks.capacity() + tags_.capacity() * sizeof(Tags)
-    + contacts.capacity() * sizeof(Contact) + grid_.bytes();
+    + contacts.capacity() * sizeof(Contact) + rows.capacity() * sizeof(double) + grid_.bytes();
 }

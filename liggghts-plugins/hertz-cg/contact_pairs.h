@@ -10,6 +10,7 @@
 #include "hertz-cg/cell_grid.h"
 #include "hertz-cg/contact_store.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -57,6 +58,12 @@ class ContactPairs {
   std::vector<Pair> pairs;
   std::vector<unsigned char> marks;
   std::vector<Contact> contacts;     // valid where marked TOUCHING
+  std::vector<double> rows;          // what observers keep of them, ContactStore::row() numbers each
+
+  double *row(std::size_t p) { return rows.data() + p * row_; }
+  const double *row(std::size_t p) const { return rows.data() + p * row_; }
+  void clearRow(std::size_t p) { std::fill_n(row(p), row_, 0.0); }
+  void layOut(const std::vector<int> &from);    // as layOutRows()
 
  private:
 
@@ -65,6 +72,7 @@ class ContactPairs {
   CellGrid grid_;
   std::vector<Tags> tags_;   // the host's IDs may be overwritten before save()
   int nowned_ = 0;
+  std::size_t row_ = 0;
 };
 
 }

@@ -43,15 +43,35 @@ void ContactStore::clear()
   std::fill(count_.begin(), count_.end(), 0);
   entries_.clear();
   added_.clear();
+  rows_.clear();
+  addedRows_.clear();
   largest_ = 0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void ContactStore::add(int grain, const Entry &entry)
+void grainjet::layOutRows(std::vector<double> &rows, std::size_t row, std::size_t count, const std::vector<int> &from)
+{
+  std::vector<double> fresh(from.size() * count, 0.0);
+  for (std::size_t r = 0; r < count; ++r)
+    for (std::size_t n = 0; n < from.size(); ++n)
+      if (from[n] >= 0) fresh[r * from.size() + n] = rows[r * row + from[n]];
+  rows.swap(fresh);
+}
+
+void ContactStore::layOut(const std::vector<int> &from)
+{
+  layOutRows(rows_, row_, entries_.size(), from);
+  row_ = static_cast<int>(from.size());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ContactStore::add(int grain, const Entry &entry, const double *row)
 {
   ++count_[grain];
   added_.push_back({grain, entry});
+  addedRows_.insert(addedRows_.end(), row, row + row_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -66,8 +86,16 @@ void ContactStore::finish()
     count_[i] = 0;
   }
   entries_.resize(sum);
-  for (const Added &a : added_) entries_[first_[a.grain] + count_[a.grain]++] = a.entry;
+  rows_.resize(static_cast<std::size_t>(sum) * row_);
+  const double *row = addedRows_.data();
+  for (const Added &a : added_) {
+    const int at = first_[a.grain] + count_[a.grain]++;
+    entries_[at] = a.entry;
+    std::copy(row, row + row_, rows_.begin() + static_cast<std::size_t>(at) * row_);
+    row += row_;
+  }
   added_.clear();
+  addedRows_.clear();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -87,6 +115,7 @@ int ContactStore::pack(int grain, double *buffer) const
       buffer[m++] = vectors[v]->y;
       buffer[m++] = vectors[v]->z;
     }
+    m = static_cast<int>(std::copy_n(row(grain, n), row_, buffer + m) - buffer);
   }
   return m;
 }
@@ -113,6 +142,8 @@ int ContactStore::unpack(int grain, const double *buffer)
       vectors[v]->z = buffer[m++];
     }
     entries_.push_back(e);
+    rows_.insert(rows_.end(), buffer + m, buffer + m + row_);
+    m += row_;
   }
   return m;
 }
@@ -122,5 +153,6 @@ int ContactStore::unpack(int grain, const double *buffer)
 std::size_t ContactStore::bytes() const
 {
   return (count_.capacity() + first_.capacity()) * sizeof(int)
-    + entries_.capacity() * sizeof(Entry) + added_.capacity() * sizeof(Added);
+    + entries_.capacity() * sizeof(Entry) + added_.capacity() * sizeof(Added)
+    + (rows_.capacity() + addedRows_.capacity()) * sizeof(double);
 }

@@ -31,6 +31,10 @@ struct Contact {
   }
 };
 
+// Number n of each row now comes from where number from[n] was; -1: it begins with zero. row: numbers of
+// a row until now
+void layOutRows(std::vector<double> &rows, std::size_t row, std::size_t count, const std::vector<int> &from);
+
 /* Contacts kept per grain, by the ID of the other grain. Between two searches for neighbours
    contacts live in the list of pairs (ContactPairs); here they are while grains change their
    index, their rank or the program (restart). Each of the two grains has its own copy, so a
@@ -46,15 +50,20 @@ class ContactStore {
 
   // Do contacts have a rolling spring? Without it is neither sent nor written
   void keepRollingSpring(bool keep) { rollingSpring_ = keep; }
-  int values() const { return rollingSpring_ ? 17 : 14; }    // numbers in which an entry is packed
+  int values() const { return (rollingSpring_ ? 17 : 14) + row_; }    // numbers in which an entry is packed
+
+  // Each contact has a row of numbers that observers keep of it, none at first
+  void layOut(const std::vector<int> &from);
+  int row() const { return row_; }
 
   void resize(int ngrains);
   void clear();                                  // no grain has contacts
-  void add(int grain, const Entry &entry);       // grain by grain, in any order
+  void add(int grain, const Entry &entry, const double *row = nullptr);    // grain by grain, in any order
   void finish();                                 // after the last add()
 
   int count(int grain) const { return count_[grain]; }
   const Entry *entries(int grain) const { return entries_.data() + first_[grain]; }
+  const double *row(int grain, int n) const { return rows_.data() + static_cast<std::size_t>(row_) * (first_[grain] + n); }
   int largest() const { return largest_; }       // most contacts any grain had since clear()
 
   void copy(int from, int to) { count_[to] = count_[from]; first_[to] = first_[from]; }
@@ -73,6 +82,8 @@ class ContactStore {
   std::vector<int> count_, first_;
   std::vector<Entry> entries_;
   std::vector<Added> added_;
+  std::vector<double> rows_, addedRows_;    // beside entries_ and added_
+  int row_ = 0;
   int largest_ = 0;
   bool rollingSpring_ = false;
 };

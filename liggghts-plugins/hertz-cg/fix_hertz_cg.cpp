@@ -132,6 +132,8 @@ int FixHertzCg::setmask()
 void FixHertzCg::init()
 {
   step_size_ = update->dt;
+  // those of a restart file that the script has not defined again
+  observers_.removeAbsent(store_, pairs_);
 
   // grains that are there have no contacts yet, or those of a restart file: not to be reset by the
   // host after the first forces

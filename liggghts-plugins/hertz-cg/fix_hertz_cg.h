@@ -15,6 +15,8 @@ FixStyle(hertz/cg,FixHertzCg)
 
 #include "fix.h"
 
+#include "hertz-cg/contact_exchange.h"
+#include "hertz-cg/contact_observers.h"
 #include "hertz-cg/contact_pairs.h"
 #include "hertz-cg/contact_store.h"
 #include "hertz-cg/material_table.h"
@@ -26,7 +28,7 @@ FixStyle(hertz/cg,FixHertzCg)
 #include <string>
 #include <vector>
 
-namespace grainjet { class FixArguments; }
+namespace grainjet { class FixArguments; struct Kinematics; }
 
 namespace LAMMPS_NS {
 
@@ -57,8 +59,10 @@ namespace LAMMPS_NS {
    Global vector f_c[1..7]: contacts now; collisions begun since the start; largest
    overlap/radius since the start; time step in % of the Rayleigh time, in % of the Hertz time;
    energy now in the springs, and of cohesion [J]; energy dissipated by contacts since the start [J].
-   Walls are left to the stock `fix wall/gran` and not in these numbers.                      */
-class FixHertzCg : public Fix {
+   Walls are left to the stock `fix wall/gran` and not in these numbers.
+
+   Other fixes observe the contacts through extract(): hertz-cg/contact_exchange.h.           */
+class FixHertzCg : public Fix, private ContactExchange {
  public:
   FixHertzCg(class LAMMPS *, int, char **);
   ~FixHertzCg();
@@ -81,6 +85,7 @@ class FixHertzCg : public Fix {
   double extend_cut_ghost() override;
   double compute_vector(int) override;
   double memory_usage() override;
+  void *extract(const char *, int &) override;
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
@@ -111,6 +116,7 @@ class FixHertzCg : public Fix {
   grainjet::StreamMotion motion_;
   grainjet::ContactPairs pairs_;
   grainjet::ContactStore store_;
+  grainjet::ContactObservers observers_;
   class PairHertzCg *stand_in_;    // in the place of the pair style; owned by the host
 
   // state of pairs and store
@@ -186,9 +192,15 @@ class FixHertzCg : public Fix {
   template <bool TANGENTIAL, bool EXTRAS, class Kinematics>
   Evaluated evaluate(const Grains &, const Kinematics &, int i, int j, const grainjet::Contact &, bool advance) const;
   void tell_contacts();
+  void observe_contact(const grainjet::Kinematics &, std::size_t pair, double work, bool begins, bool advance);
   void end_contact(const Grains &, std::size_t pair, bool advance);
   void begin_contact(const Grains &, std::size_t pair, double depth);
   void fail_contact(const Grains &, std::size_t pair, const char *why);
+
+  std::string observe(ContactObserver *, const std::string &name, int size) override;
+  void ignore(const ContactObserver *) override;
+  bool observed(const ContactObserver *) const override;
+  void visit(const ContactObserver *, const Visit &) const override;
 
   void reduce();
   double elastic_energy() const;

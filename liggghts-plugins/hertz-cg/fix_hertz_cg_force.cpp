@@ -7,6 +7,7 @@
 /* fix hertz/cg: the loop over pairs and the force of a contact */
 
 #include "hertz-cg/fix_hertz_cg.h"
+#include "hertz-cg/kinematics.h"
 #include "hertz-cg/pair_hertz_cg.h"
 #include "physics/contact/contact_law.h"
 
@@ -41,8 +42,6 @@ struct FixHertzCg::Grains {
   double share(int j) const { return j < nlocal ? 1.0 : 0.5; }
   bool counts(int i, int j) const { return j < nlocal || tag[i] < tag[j]; }
 };
-
-static inline Vector3 vector(const double *a) { return {a[0], a[1], a[2]}; }
 
 static inline void add(double *a, const Vector3 &b)
 {
@@ -88,7 +87,7 @@ void FixHertzCg::compute(bool advance)
 template <bool TANGENTIAL, bool EXTRAS>
 void FixHertzCg::compute_pairs(bool advance, bool again)
 {
-  const Grains g(atom, update->dt, stand_in_->watched());
+  const Grains g(atom, update->dt, stand_in_->watched() || observers_.any());
   const std::size_t n = pairs_.size();
   if (n == 0) return;
   if (grows_)
@@ -109,47 +108,6 @@ void FixHertzCg::compute_pairs(bool advance, bool again)
     if (rsq < pair.reach2) compute_contact<TANGENTIAL, EXTRAS>(g, p, rsq, advance, again);
     else if (pairs_.marks[p]) end_contact(g, p, advance);
   }
-}
-
-/* ----------------------------------------------------------------------
-   relative motion of the two surfaces at the contact point
-------------------------------------------------------------------------- */
-
-namespace {
-
-struct Kinematics {
-  Vector3 delta;        // from j to i
-  Vector3 normal;       // unit
-  double overlap;
-  double armI, armJ;    // from the centres to the contact point
-  Vector3 velocity;     // of the centres
-  Vector3 spin;         // armI wi + armJ wj: n x spin is what rotation adds at the contact point
-  Vector3 turning;      // wi - wj
-  double vn;
-  Vector3 vt;
-
-  template <class G>
-  Kinematics(const G &g, int i, int j, double distance)
-  {
-    delta = vector(g.x[i]) - vector(g.x[j]);
-    normal = (1.0 / distance) * delta;
-    overlap = g.radius[i] + g.radius[j] - distance;
-    armI = g.radius[i] - 0.5 * overlap;
-    armJ = g.radius[j] - 0.5 * overlap;
-    velocity = vector(g.v[i]) - vector(g.v[j]);
-    spin = armI * vector(g.omega[i]) + armJ * vector(g.omega[j]);
-    turning = vector(g.omega[i]) - vector(g.omega[j]);
-    vn = contact::dot(velocity, normal);
-    vt = velocity - vn * normal + contact::cross(normal, spin);
-  }
-
-  // power [W] of the forces of a contact on this motion of its grains
-  double power(const Vector3 &force, const Vector3 &twist, const Vector3 &rolling) const
-  {
-    return contact::dot(force, velocity) - contact::dot(twist, spin) + contact::dot(rolling, turning);
-  }
-};
-
 }
 
 /* ----------------------------------------------------------------------
@@ -258,9 +216,11 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
     e.rolling = c.rolling;
   }
 
+  double work = 0.0;
   if (advance) {
-    // work over the step, by the mean of the forces at its two ends
-    work_ += 0.5 * g.dt * g.share(j) * k.power(c.force + e.force, c.twist + e.twist, c.rolling + e.rolling);
+    // over the step, by the mean of the forces at its two ends
+    work = 0.5 * g.dt * k.power(c.force + e.force, c.twist + e.twist, c.rolling + e.rolling);
+    work_ += g.share(j) * work;
     c.spring = m.scale.grainSpring(e.springs.tangential);
     if (EXTRAS) c.rollingSpring = m.scale.grainTorque(e.springs.rolling);
   } else if (found) {
@@ -272,7 +232,10 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
   c.force = e.force;
   c.twist = e.twist;
   c.rolling = e.rolling;
-  if (g.watched) stand_in_->tell(told(k, i, j, e.force, e.twist, e.rolling));
+  if (g.watched) {
+    stand_in_->tell(told(k, i, j, e.force, e.twist, e.rolling));
+    observe_contact(k, p, work, found, advance);
+  }
 
   add(g.f[i], e.force);
   if (TANGENTIAL) add(g.torque[i], -k.armI * e.twist);
@@ -324,6 +287,7 @@ void FixHertzCg::begin_contact(const Grains &g, std::size_t p, double depth)
   if (!(pairs_.marks[p] & ContactPairs::TOUCHING)) {
     const Vector3 zero = {0.0, 0.0, 0.0};
     pairs_.contacts[p] = {zero, zero, zero, zero, zero};
+    pairs_.clearRow(p);
     pairs_.marks[p] |= ContactPairs::TOUCHING;
     if (counts) collisions_ += 1.0;
   }
@@ -345,7 +309,9 @@ void FixHertzCg::end_contact(const Grains &g, std::size_t p, bool advance)
   if (!advance) return;
   const Vector3 delta = vector(g.x[i]) - vector(g.x[j]);
   const Kinematics k(g, i, j, contact::length(delta));
-  work_ += 0.5 * g.dt * g.share(j) * k.power(c.force, c.twist, c.rolling);
+  const double work = 0.5 * g.dt * k.power(c.force, c.twist, c.rolling);
+  work_ += g.share(j) * work;
+  if (observers_.any()) observe_contact(k, p, work, false, true);
 }
 
 /* ---------------------------------------------------------------------- */

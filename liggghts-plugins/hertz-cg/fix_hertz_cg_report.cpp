@@ -174,7 +174,7 @@ namespace {
 // order of the numbers in the global part; the first of them is its version
 enum Saved { VERSION, COLLISIONS, DEEP, DEEPEST, WORK, FOUND, IN_RUN, REACH, MARGIN, PAIRS,
              ROLLING, SKIN, LARGEST_SKIN, SORT_BIN, SEARCHED, STREAM, STATE = STREAM + 3, NTYPES = STATE + 2,
-             NSAVED };   // and after them the coarse-graining factor of each type, elapsed_ and counted_step_
+             NSAVED };   // and after them the coarse-graining factor of each type, elapsed_ and counted_step_, observers
 
 }
 
@@ -190,7 +190,7 @@ void FixHertzCg::write_restart(FILE *fp)
   if (comm->me) return;
 
   std::vector<double> list(NSAVED);
-  list[VERSION] = 3.1;
+  list[VERSION] = observers_.any() ? 3.2 : 3.1;
   list[COLLISIONS] = sum[0];
   list[DEEP] = sum[1];
   list[DEEPEST] = deepest;
@@ -213,6 +213,10 @@ void FixHertzCg::write_restart(FILE *fp)
   for (int type = 1; type <= atom->ntypes; ++type) list.push_back(force->cg(type));
   list.push_back(elapsed_);
   list.push_back(static_cast<double>(counted_step_));
+  if (observers_.any()) {
+    const std::vector<double> observers = observers_.pack();
+    list.insert(list.end(), observers.begin(), observers.end());
+  }
   const int size = static_cast<int>(list.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list.data(), sizeof(double), list.size(), fp);
@@ -224,7 +228,7 @@ void FixHertzCg::restart(char *buf)
 {
   double list[NSAVED];
   memcpy(list, buf, sizeof(double));
-  if (list[VERSION] != 3.0 && list[VERSION] != 3.1)
+  if (list[VERSION] != 3.0 && list[VERSION] != 3.1 && list[VERSION] != 3.2)
     error->fix_error(FLERR, this, "the restart file was written by another version of Grainjet; continue with that one, "
                      "or write the grains with write_data or a dump and start from them");
   memcpy(list, buf, sizeof(list));
@@ -266,6 +270,10 @@ void FixHertzCg::restart(char *buf)
     memcpy(steps, buf + (NSAVED + static_cast<int>(list[NTYPES])) * sizeof(double), sizeof(steps));
     elapsed_ = steps[0];
     counted_step_ = static_cast<bigint>(steps[1]);
+  }
+  if (list[VERSION] > 3.1) {
+    // the contacts of the file have rows for them
+    observers_.unpack(reinterpret_cast<const double *>(buf) + NSAVED + static_cast<int>(list[NTYPES]) + 2, store_, pairs_);
   }
   for (int d = 0; d < 3; ++d) stream_[d] = list[STREAM + d];
   for (int d = 0; d < 2; ++d) state_restarted_[d] = list[STATE + d];
