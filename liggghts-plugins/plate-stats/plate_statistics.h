@@ -7,10 +7,9 @@
 #ifndef GRAINJET_PLATE_STATISTICS_H
 #define GRAINJET_PLATE_STATISTICS_H
 
-#include "collision.h"
 #include "plate_geometry.h"
 
-#include "physics/statistics/moments.h"
+#include "wall-collisions/collision_moments.h"
 
 #include <string>
 #include <vector>
@@ -24,9 +23,6 @@ namespace grainjet {
 class PlateStatistics {
  public:
 
-  // quantities with moments, in the order of the columns
-  static const std::vector<std::string> &quantities();
-
   // the first line of the table
   static std::string columns();
 
@@ -37,7 +33,7 @@ class PlateStatistics {
 
   void add(const FinishedCollision &);
 
-  double collisions(int region) const { return regions_[region].moments[0].count(); }
+  double collisions(int region) const { return regions_[region].moments.count(); }
 
   // The table as CSV text. time: s over which collisions were counted; begun, touching:
   // collisions begun in that time and those of them that go on now, per region
@@ -51,8 +47,8 @@ class PlateStatistics {
  private:
 
   struct Region {
-    std::vector<Moments> moments;    // one per quantity
-    double particles = 0.0;          // sum of f_cg^3
+    CollisionMoments moments;
+    double particles = 0.0;    // sum of f_cg^3
   };
 
   PlateGeometry geometry_;

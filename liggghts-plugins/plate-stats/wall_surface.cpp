@@ -11,9 +11,9 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "fix_contact_history_mesh.h"
 #include "fix_wall_gran.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "tri_mesh.h"
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 #include <limits>
 
 using namespace LAMMPS_NS;
+using grainjet::Collision;
 using grainjet::PlateGeometry;
 
 // a vector of the mesh as a whole, as the reference points of fix move/mesh are
@@ -68,7 +69,8 @@ std::string WallSurface::attach()
   plates_.assign(n, plate_);
   carried_.assign(n, 0);
   bears_.assign(n, 1);
-  nodeVelocity_.assign(n, NULL);
+  contacts_.clear();
+  for (FixMeshSurface *mesh : meshes_) contacts_.emplace_back(lmp, mesh);
 
   const std::string fault = check_restarted();
   if (!fault.empty()) return fault;
@@ -211,10 +213,8 @@ void WallSurface::update()
     else plates_[m] = plate_;
     carried_[m] = displaced || mesh(m)->isMoving();
 
-    MultiVectorContainer<double, 3, 3> *velocity =
-      properties.getElementProperty<MultiVectorContainer<double, 3, 3> >("v");
-    nodeVelocity_[m] = velocity ? velocity->begin() : NULL;
-    moves_ = moves_ || carried_[m] || velocity;
+    contacts_[m].update();
+    moves_ = moves_ || carried_[m] || contacts_[m].has_velocity();
   }
 }
 
@@ -247,83 +247,97 @@ double WallSurface::height(int plate, const double *x) const
 
 /* ---------------------------------------------------------------------- */
 
-void WallSurface::project(int plate, const double *x, double *ab) const
+void WallSurface::reorder()
 {
-  double copy[3];
-  plates_[plate].project(image(plate, x, copy), ab);
+  for (MeshContacts &contacts : contacts_) contacts.reorder();
 }
 
 /* ----------------------------------------------------------------------
-   The wall has noted the triangles that it has handled in this step. Of several the one
-   that the grain has entered deepest.
+   The wall's own neighbour lists rest on the same margin: until the next rebuild neither
+   grain nor mesh moves by more than the skin. A wall at rest has one plate.
 ------------------------------------------------------------------------- */
 
-bool WallSurface::touch(int i, Touch &touched) const
+bool WallSurface::comes_near(int i) const
 {
-  touched = Touch{0, -1, {0.0, 0.0, 0.0}};
-  if (!moves_) return true;
-  if (meshes_.empty()) {
-    wall_shear(wall_, atom->x[i], touched.velocity);
-    return true;
+  const int plates = moves_ ? static_cast<int>(plates_.size()) : 1;
+  for (int plate = 0; plate < plates; plate++) {
+    if (!bears_[plate]) continue;
+    const double margin = carried_[plate] ? 2 * neighbor->skin : neighbor->skin;
+    if (std::fabs(height(plate, atom->x[i])) < atom->radius[i] + margin) return true;
   }
-  bool found = false;
-  double deepest = 0.0;
-  for (std::size_t m = 0; m < meshes_.size(); m++) {
-    if (!bears_[m]) continue;
-    const FixContactHistoryMesh *contacts = meshes_[m]->contactHistory();
-    for (int n = 0; n < contacts->nneighs(i); n++) {
-      const int id = contacts->get_partner_idTri(i, n);
-      double gap, velocity[3];
-      if (id < 0 || !nearest(i, m, id, gap, velocity) || (found && gap >= deepest)) continue;
-      found = true;
-      deepest = gap;
-      touched.mesh = m;
-      touched.triangle = id;
-      std::copy_n(velocity, 3, touched.velocity);
-    }
-  }
-  return found;
+  return false;
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool WallSurface::velocity(int i, Touch &touched) const
+void WallSurface::place(int i, const Touch &touch, Collision &collision) const
 {
-  std::fill_n(touched.velocity, 3, 0.0);
-  if (!moves_) return true;
-  if (meshes_.empty()) {
-    wall_shear(wall_, atom->x[i], touched.velocity);
-    return true;
-  }
-  double gap;
-  return touched.mesh < static_cast<int>(meshes_.size())
-    && nearest(i, touched.mesh, touched.triangle, gap, touched.velocity);
+  double copy[3];
+  plates_[touch.mesh].project(image(touch.mesh, atom->x[i], copy), &collision.a);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallSurface::region(const Collision &collision) const
+{
+  const double place[2] = {collision.a, collision.b};
+  return plate_.ring(place);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallSurface::touch(int i, Touch &touch) const
+{
+  if (!touched(i, touch)) return false;
+  const double height = this->height(touch.mesh, atom->x[i]);
+  if (!(std::fabs(height) < atom->radius[i])) return false;
+  const double side = height < 0.0 ? -1.0 : 1.0;
+  for (int dim = 0; dim < 3; dim++) touch.normal[dim] = side * plates_[touch.mesh].normal()[dim];
+  return true;
 }
 
 /* ----------------------------------------------------------------------
-   Distance of grain i to a triangle, and the velocity in its nearest point. In a periodic
-   box a rank can hold several images of one triangle.
+   Of several triangles the one that the grain has entered deepest.
 ------------------------------------------------------------------------- */
 
-bool WallSurface::nearest(int i, int m, int id, double &gap, double *velocity) const
+bool WallSurface::touched(int i, Touch &touch) const
 {
-  bool found = false;
-  int element;
-  for (int copy = 0; (element = mesh(m)->map(id, copy)) >= 0; copy++) {
-    double delta[3], weights[3];
-    int sign;
-    const double distance = mesh(m)->resolveTriSphereContactBary(
-      i, element, atom->radius[i], atom->x[i], delta, weights, sign, false);
-    if (found && distance >= gap) continue;
-    found = true;
-    gap = distance;
-    std::fill_n(velocity, 3, 0.0);
-    if (!nodeVelocity_[m]) continue;
-    double **v = nodeVelocity_[m][element];
-    for (int dim = 0; dim < 3; dim++)
-      velocity[dim] = weights[0] * v[0][dim] + weights[1] * v[1][dim] + weights[2] * v[2][dim];
+  touch = Touch{0, -1, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  if (!moves_) return true;
+  if (meshes_.empty()) {
+    wall_shear(wall_, atom->x[i], touch.velocity);
+    return true;
   }
-  return found;
+  int mesh = -1;
+  MeshContacts::Contact contact, deepest;
+  for (std::size_t m = 0; m < meshes_.size(); m++) {
+    if (!bears_[m] || !contacts_[m].deepest(i, contact)) continue;
+    if (mesh >= 0 && contact.gap >= deepest.gap) continue;
+    mesh = m;
+    deepest = contact;
+  }
+  if (mesh < 0) return false;
+  touch.mesh = mesh;
+  touch.triangle = deepest.triangle;
+  contacts_[mesh].velocity(deepest, touch.velocity);
+  return true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallSurface::velocity(int i, Touch &touch) const
+{
+  std::fill_n(touch.velocity, 3, 0.0);
+  if (!moves_) return true;
+  if (meshes_.empty()) {
+    wall_shear(wall_, atom->x[i], touch.velocity);
+    return true;
+  }
+  MeshContacts::Contact contact;
+  if (touch.mesh >= static_cast<int>(meshes_.size())
+      || !contacts_[touch.mesh].nearest(i, touch.triangle, contact)) return false;
+  contacts_[touch.mesh].velocity(contact, touch.velocity);
+  return true;
 }
 
 /* ---------------------------------------------------------------------- */

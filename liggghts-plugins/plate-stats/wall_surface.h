@@ -9,6 +9,9 @@
 
 #include "plate_geometry.h"
 
+#include "wall-collisions/mesh_contacts.h"
+#include "wall-collisions/watched_surface.h"
+
 #include "pointers.h"
 
 #include <string>
@@ -16,7 +19,7 @@
 
 namespace LAMMPS_NS {
 
-/* Where the surface of a fix wall/gran is and how fast it moves.
+/* The plate: where the surface of a fix wall/gran is and how fast it moves. Regions are rings.
 
    At its definition the plate is drawn on every mesh of the wall, and from then on each mesh
    takes its drawing along. A grain is on the plate of the mesh that it touches. Centre,
@@ -29,13 +32,8 @@ namespace LAMMPS_NS {
    triangle, for surface_vel and surface_ang_vel as well; of `shear` for a primitive wall.
 
    A wall at rest has one plate, and nothing is looked up.                            */
-class WallSurface : protected Pointers {
+class WallSurface : protected Pointers, public WatchedSurface {
  public:
-
-  struct Touch {
-    int mesh, triangle;      // place in the list of the wall's meshes, element ID
-    double velocity[3];      // m/s, of the surface
-  };
 
   WallSurface(class LAMMPS *, const std::string &wallID, const std::string &fixID,
     const grainjet::PlateGeometry &);
@@ -53,21 +51,13 @@ class WallSurface : protected Pointers {
 
   bool at_rest() const { return !moves_; }
 
-  // plates are as many as meshes, or one
-  int plates() const { return moves_ ? static_cast<int>(plates_.size()) : 1; }
-  bool bears(int plate) const { return bears_[plate]; }
-  const double *normal(int plate) const { return plates_[plate].normal(); }
-  double height(int plate, const double *x) const;
-  void project(int plate, const double *x, double *ab) const;
-
-  // grains come closer to this plate than the skin, since it moves as well
-  bool carried(int plate) const { return carried_[plate]; }
-
-  // what grain i touches; false: nothing
-  bool touch(int i, Touch &) const;
-
-  // the velocity of the surface there now, next to grain i; false: not on this rank
-  bool velocity(int i, Touch &) const;
+  void reorder() override;
+  bool comes_near(int i) const override;
+  bool touch(int i, Touch &) const override;
+  bool velocity(int i, Touch &) const override;
+  void place(int i, const Touch &, grainjet::Collision &) const override;
+  int regions() const override { return plate_.rings(); }
+  int region(const grainjet::Collision &) const override;
 
   // for restart files: IDs of the meshes and the plates drawn on them
   std::vector<double> pack() const;
@@ -97,7 +87,7 @@ class WallSurface : protected Pointers {
   std::vector<grainjet::PlateGeometry> plates_;
   std::vector<Drawing> drawings_;
   std::vector<char> carried_, bears_;
-  std::vector<double ***> nodeVelocity_;    // [element][node][3], NULL: at rest
+  std::vector<MeshContacts> contacts_;
 
   bool attached_;                      // this fix has drawn its plate on the meshes
   std::vector<Drawing> restarted_;     // until then
@@ -108,7 +98,8 @@ class WallSurface : protected Pointers {
   void draw(int);
   double level(int) const;
   void choose_bearers();
-  bool nearest(int i, int m, int id, double &gap, double *velocity) const;
+  bool touched(int i, Touch &) const;
+  double height(int plate, const double *x) const;
   const double *image(int plate, const double *x, double *copy) const;
 };
 

@@ -30,23 +30,14 @@ std::string EventsFile::fault(const char *action) const
 
 /* ---------------------------------------------------------------------- */
 
-const std::string &EventsFile::columns()
-{
-  static const std::string line = "time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
-    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles";
-  return line;
-}
-
-/* ---------------------------------------------------------------------- */
-
 std::string EventsFile::create()
 {
-  const std::string fault = OutputFile::check_own(path_, columns());
+  const std::string fault = OutputFile::check_own(path_, line_, owner_);
   if (!fault.empty()) return fault;
   if (unlink(path_.c_str()) != 0 && errno != ENOENT) return this->fault("write events file");
   file_ = fopen(path_.c_str(), "ax");
   if (!file_) return this->fault("write events file");
-  return write(columns() + "\n");
+  return write(line_ + "\n");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -59,7 +50,7 @@ std::string EventsFile::resume(double size)
   if (!file_) return fault("continue events file");
   // it must be the file that was written then: one that has a line's end at that place
   fseek(file_, static_cast<long>(size) - 1, SEEK_SET);
-  if (fgetc(file_) != '\n' || !OutputFile::check_own(path_, columns()).empty())
+  if (fgetc(file_) != '\n' || !OutputFile::check_own(path_, line_, owner_).empty())
     return "events file '" + path_ + "' is not the one written before the restart; move it "
       "away or give another path";
   if (ftruncate(fileno(file_), static_cast<off_t>(size)) != 0)
@@ -71,23 +62,18 @@ std::string EventsFile::resume(double size)
 
 /* ---------------------------------------------------------------------- */
 
-std::string EventsFile::append(const std::vector<FinishedCollision> &collisions)
+std::string EventsFile::append(const std::vector<std::string> &lines)
 {
   const std::size_t page = 4096;    // handed over in pieces that a kill hardly cuts
   std::string text, failure;
-  for (const FinishedCollision &c : collisions) {
-    char line[400];
-    snprintf(line, sizeof(line),
-      "%.9g,%.0f,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g\n",
-      c.contact.time, c.id, c.contact.a, c.contact.b, c.contact.speed, c.speedAfter,
-      c.contact.angle, c.contact.normalPeak, c.contact.tangentialPeak, c.contact.duration,
-      c.contact.normalMean(), c.contact.tangentialMean(), c.energyLoss(), c.particles);
-    if (text.size() + strlen(line) > page) {
+  for (const std::string &line : lines) {
+    if (text.size() + line.size() + 1 > page) {
       failure = write(text);
       if (!failure.empty()) return failure;
       text.clear();
     }
     text += line;
+    text += '\n';
   }
   return write(text);
 }

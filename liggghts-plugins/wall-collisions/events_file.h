@@ -7,8 +7,6 @@
 #ifndef GRAINJET_EVENTS_FILE_H
 #define GRAINJET_EVENTS_FILE_H
 
-#include "collision.h"
-
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -22,13 +20,12 @@ namespace grainjet {
 class EventsFile {
  public:
 
-  explicit EventsFile(const std::string &path) : path_(path), file_(NULL), size_(0) {}
+  // line: the first one of the file; owner: the style of the fix that writes it
+  EventsFile(const std::string &path, const std::string &line, const std::string &owner)
+    : path_(path), line_(line), owner_(owner), file_(NULL), size_(0) {}
   ~EventsFile();
   EventsFile(const EventsFile &) = delete;
   EventsFile &operator=(const EventsFile &) = delete;
-
-  // the first line
-  static const std::string &columns();
 
   // A new file with its first line. An older one of the fix gives way as a whole, since it
   // can have other names (hard links) by which somebody keeps it.
@@ -38,14 +35,15 @@ class EventsFile {
   // written: lines of collisions that are about to happen again are cut off
   std::string resume(double size);
 
-  std::string append(const std::vector<FinishedCollision> &);
+  // one line per collision, without its end
+  std::string append(const std::vector<std::string> &lines);
 
   double size() const { return size_; }    // bytes
   FILE *file() const { return file_; }
 
  private:
 
-  std::string path_;
+  std::string path_, line_, owner_;
   FILE *file_;
   double size_;
 

@@ -20,9 +20,10 @@ namespace OutputFile {
   // there is nothing at this path, or a regular file
   std::string check_kind(const std::string &path);
 
-  // There is nothing at this path, or a file that begins with this line. cut: the line may be
-  // cut off, as a killed run leaves it.
-  std::string check_own(const std::string &path, const std::string &line, bool cut = false);
+  // There is nothing at this path, or a file that begins with this line. owner: the style of the
+  // fix that writes it. cut: the line may be cut off, as a killed run leaves it.
+  std::string check_own(const std::string &path, const std::string &line, const std::string &owner,
+    bool cut = false);
 
   // No file of this process but `except` is open there: the input script, the log, what
   // another command writes
@@ -40,8 +41,8 @@ namespace OutputFile {
   // The text takes the place of the file in one piece, so a reader never sees half of it. If
   // that has become a file of somebody else it stays, and the text is left beside it; `left`
   // says so.
-  std::string replace(const std::string &path, const std::string &line, const std::string &text,
-    bool &left);
+  std::string replace(const std::string &path, const std::string &line, const std::string &owner,
+    const std::string &text, bool &left);
 
 }
 

@@ -23,7 +23,7 @@ std::string WallForces::attach()
 
   const std::string name = "force_" + wallID_;
   property_ = static_cast<FixPropertyAtom *>(modify->find_fix_property(
-    name.c_str(), "property/atom", "vector", 3, 0, "plate/stats", false));
+    name.c_str(), "property/atom", "vector", 3, 0, "wall/gran", false));
   if (!property_) return "fix wall/gran '" + wallID_ + "' needs the keywords store_force yes";
   return "";
 }

@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "plate-stats/collision_store.h"
+#include "wall-collisions/collision_store.h"
 
 #include <gtest/gtest.h>
 

@@ -6,44 +6,43 @@
 
 /* What LIGGGHTS asks of a fix with per-grain data: see collision_store.h */
 
-#include "fix_plate_stats.h"
+#include "fix_wall_collisions.h"
 
 #include "atom.h"
 
 using namespace LAMMPS_NS;
-using grainjet::CollisionStore;
 
 /* ---------------------------------------------------------------------- */
 
-void FixPlateStats::grow_arrays(int nmax)
+void FixWallCollisions::grow_arrays(int nmax)
 {
   store_.grow(nmax);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixPlateStats::copy_arrays(int i, int j, int delflag)
+void FixWallCollisions::copy_arrays(int i, int j, int delflag)
 {
   store_.move(i, j, delflag);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixPlateStats::set_arrays(int i)
+void FixWallCollisions::set_arrays(int i)
 {
   store_.reset(i);
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixPlateStats::pack_exchange(int i, double *buf)
+int FixWallCollisions::pack_exchange(int i, double *buf)
 {
   return store_.pack(i, buf);
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixPlateStats::unpack_exchange(int i, double *buf)
+int FixWallCollisions::unpack_exchange(int i, double *buf)
 {
   return store_.unpack(i, buf);
 }
@@ -52,7 +51,7 @@ int FixPlateStats::unpack_exchange(int i, double *buf)
    in a restart file the number of values comes first
 ------------------------------------------------------------------------- */
 
-int FixPlateStats::pack_restart(int i, double *buf)
+int FixWallCollisions::pack_restart(int i, double *buf)
 {
   buf[0] = 1 + store_.pack(i, buf + 1);
   return static_cast<int>(buf[0]);
@@ -60,31 +59,34 @@ int FixPlateStats::pack_restart(int i, double *buf)
 
 /* ---------------------------------------------------------------------- */
 
-void FixPlateStats::unpack_restart(int i, int nth)
+void FixWallCollisions::unpack_restart(int i, int nth)
 {
   const double *extra = atom->extra[i];
   for (int n = 0; n < nth; n++) extra += static_cast<int>(extra[0]);
   store_.unpack(i, extra + 1);
-  if (unknown_ && store_.find(i)) store_.find(i)->time = -1.0;
+  grainjet::Collision *collision = store_.find(i);
+  if (!collision) return;
+  if (unknown_) collision->time = -1.0;
+  if (anew_) collision->slidingWork = collision->workHere = 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixPlateStats::size_restart(int i)
+int FixWallCollisions::size_restart(int i)
 {
   return store_.find(i) ? maxsize_restart() : 2;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixPlateStats::maxsize_restart()
+int FixWallCollisions::maxsize_restart()
 {
-  return 1 + CollisionStore::PACKED;
+  return 1 + store_.packed();
 }
 
 /* ---------------------------------------------------------------------- */
 
-double FixPlateStats::memory_usage()
+double FixWallCollisions::memory_usage()
 {
   return atom->nmax * sizeof(int);
 }

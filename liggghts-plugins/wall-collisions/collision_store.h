@@ -22,6 +22,9 @@ namespace grainjet {
 class CollisionStore {
  public:
 
+  // kept: how many doubles of a record are used, the first ones
+  explicit CollisionStore(int kept = Collision::SIZE) : kept_(kept) {}
+
   // room for n grains; new places are free
   void grow(int n) { if (n > static_cast<int>(record_.size())) record_.resize(n, NONE); }
 
@@ -63,28 +66,31 @@ class CollisionStore {
 
   // ---- as doubles: 0, or 1 and the record
 
-  static constexpr int PACKED = 1 + Collision::SIZE;    // at most
+  static constexpr int PACKED = 1 + Collision::SIZE;    // at most, of any store
+
+  int packed() const { return 1 + kept_; }
 
   int pack(int i, double *buffer) const
   {
     const Collision *collision = find(i);
     buffer[0] = collision ? 1.0 : 0.0;
     if (!collision) return 1;
-    std::copy_n(collision->data(), Collision::SIZE, buffer + 1);
-    return PACKED;
+    std::copy_n(collision->data(), kept_, buffer + 1);
+    return packed();
   }
 
   int unpack(int i, const double *buffer)
   {
     reset(i);
     if (buffer[0] == 0.0) return 1;
-    std::copy_n(buffer + 1, Collision::SIZE, begin(i).data());
-    return PACKED;
+    std::copy_n(buffer + 1, kept_, begin(i).data());
+    return packed();
   }
 
  private:
 
   static constexpr int NONE = -1;
+  int kept_;
   std::vector<int> record_;           // per grain
   std::vector<Collision> records_;
   std::vector<int> free_;             // records that are not in use

@@ -61,7 +61,8 @@ std::string OutputFile::check_kind(const std::string &path)
 
 /* ---------------------------------------------------------------------- */
 
-std::string OutputFile::check_own(const std::string &path, const std::string &line, bool cut)
+std::string OutputFile::check_own(const std::string &path, const std::string &line,
+  const std::string &owner, bool cut)
 {
   const std::string fault = check_kind(path);
   if (!fault.empty()) return fault;
@@ -72,7 +73,7 @@ std::string OutputFile::check_own(const std::string &path, const std::string &li
   fclose(file);
   const std::string own = line + "\n";
   if (found == own || (cut && own.compare(0, found.size(), found) == 0)) return "";
-  return "'" + path + "' exists and was not written by fix plate/stats, so it is not "
+  return "'" + path + "' exists and was not written by fix " + owner + ", so it is not "
     "overwritten; move it away or give another path";
 }
 
@@ -128,10 +129,10 @@ std::string OutputFile::temporary(const std::string &path)
 /* ---------------------------------------------------------------------- */
 
 std::string OutputFile::replace(const std::string &path, const std::string &line,
-  const std::string &text, bool &left)
+  const std::string &owner, const std::string &text, bool &left)
 {
   const std::string fresh = temporary(path);
-  std::string fault = check_own(fresh, line, true);
+  std::string fault = check_own(fresh, line, owner, true);
   if (!fault.empty()) return fault;
   unlink(fresh.c_str());
   FILE *file = fopen(fresh.c_str(), "wx");
@@ -143,7 +144,7 @@ std::string OutputFile::replace(const std::string &path, const std::string &line
     unlink(fresh.c_str());
     return fault;
   }
-  left = !check_own(path, line).empty();
+  left = !check_own(path, line, owner).empty();
   if (left || rename(fresh.c_str(), path.c_str()) == 0) return "";
   return cannot_write(path);
 }
