@@ -73,7 +73,10 @@ def read_spectra(path):
     """{quantity: rows of (low, high, particles, density)} with finite bins."""
     found = {}
     with open(path, newline="") as file:
-        for row in csv.DictReader(file):
+        reader = csv.DictReader(file)
+        if not {"quantity", "low", "high", "particles", "density"} <= set(reader.fieldnames or ()):
+            raise ValueError(f"{path} is no table of spectra of fix surface/stats")
+        for row in reader:
             low, high, particles, density = (float(row[name]) for name in ("low", "high", "particles", "density"))
             if numpy.isfinite(low) and numpy.isfinite(high):
                 found.setdefault(row["quantity"], []).append((low, high, particles, density))
@@ -130,7 +133,7 @@ def main():
         grid = figure.add_gridspec(2, columns + 1, width_ratios=[1.7] + [1]*columns)
         axes = figure.add_subplot(grid[:, 0])
         drawn = draw_map(axes, surface, surface.values[args.field], args.look, args.up, args.length, norm)
-    except (ValueError, OSError, KeyError) as error:
+    except (ValueError, OSError) as error:
         return f"surface.py: {error}"
     unit_text = UNITS.get(args.field)
     figure.colorbar(drawn, ax=axes, label=args.field.replace("_", " ") + (f", {unit_text}" if unit_text else ""), shrink=0.8)
