@@ -58,7 +58,7 @@ progress()
 built()
 {
     local name
-    for name in hertzcgplugin fluidforceplugin platestatsplugin
+    for name in hertzcgplugin fluidforceplugin platestatsplugin surfacestatsplugin
     do
         [ -f "$root/lib/$name.so" ] || return 1
     done
