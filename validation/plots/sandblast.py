@@ -35,6 +35,8 @@ def main():
     found = scar.runs(args.runs)
     maps = [run for name, run in found.items() if name in ("normal-jetKEpsilon", "inclined-jetKEpsilon")] or list(found.values())[:1]
     figure, axes = plt.subplots(2, 2, figsize=(11, 8), constrained_layout=True)
+    for panel in axes[0, len(maps):]:
+        panel.set_axis_off()
     for panel, run in zip(axes[0], maps):
         depth = run.map.values["wear_depth"]/run.abrasive*1e6          # um/kg
         drawn = surface.draw_map(panel, run.map, depth, length=run.p["D"],

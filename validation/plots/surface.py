@@ -61,7 +61,7 @@ def draw_map(axes, surface, values, look=(0, 0, -1), up=(0, 1, 0), length=1.0, n
         shown = numpy.ma.masked_less_equal(shown, 0)
     colours = plt.get_cmap(cmap).copy()
     colours.set_bad(background)
-    drawn = matplotlib.collections.PolyCollection(flat, array=shown, cmap=colours, norm=norm, edgecolors="face", linewidths=0.1)
+    drawn = matplotlib.collections.PolyCollection(flat, array=shown, cmap=colours, norm=norm, edgecolors="none", antialiased=False)
     axes.add_collection(drawn)
     axes.set_aspect("equal")
     axes.set_xlim(flat[..., 0].min(), flat[..., 0].max())

@@ -13,8 +13,8 @@ from grainjet import dictionaries
 
 ELBOW = grainjet.ROOT/"cases"/"elbow"
 
-SHRUNK = {"nSide": 4, "nRing": 3, "nInlet": 12, "nBend": 18, "nOutlet": 9, "fluidStep": 4e-5, "couplingInterval": 400,
-          "insertionInterval": 400, "endTime": 0.004, "writeInterval": 0.002, "spinUpIterations": 100}
+SHRUNK = {"nSide": 4, "nRing": 3, "nInlet": 12, "nBend": 18, "nOutlet": 9, "fluidStep": 2.5e-5, "couplingInterval": 250,
+          "insertionInterval": 250, "endTime": 0.004, "writeInterval": 0.002, "spinUpIterations": 100}
 
 
 class Elbow(grainjet.Case):
