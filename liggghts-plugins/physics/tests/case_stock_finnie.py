@@ -6,7 +6,7 @@ each with the angle and speed of the moment, in which the normal velocity falls 
 
     W/(k m v^2) = integral of 2 sqrt(cos^2 a + s^2) g(b) ds over s from 0 to sin a,    tan b = s/cos a
 
-which is not Finnie's g(a), the result of one impact at the angle a."""
+which is not Finnie's g(a), the result of one impact at the angle a. fix surface/stats gives that."""
 
 import math
 import unittest
@@ -35,13 +35,19 @@ fix m3 all property/global coefficientRestitution peratomtypepair 1 1.0
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.0
 fix m5 all property/global k_finnie peratomtypepair 1 1e-10
 timestep 2e-8
-fix plates all mesh/surface/stress file plates.stl type 1 wear finnie
-fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes plates
+{plates}
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes plates store_force yes
+{stats}
 fix i all nve/sphere
 run 3000
-dump worn all mesh/vtk 1 worn*.vtk wear area
-run 0
+{end}
 """
+
+STOCK = {"plates": "fix plates all mesh/surface/stress file plates.stl type 1 wear finnie", "stats": "",
+         "end": "dump worn all mesh/vtk 1 worn*.vtk wear area\nrun 0"}
+PER_IMPACT = {"plates": "fix plates all mesh/surface file plates.stl type 1", "end": "",
+              "stats": "plugin load surfacestatsplugin.so\n"
+                       "fix s all surface/stats mesh plates wall w file plates.csv vtk plates.vtp wear finnie k 1e-10"}
 
 
 def finnie(angle):
@@ -61,8 +67,8 @@ def summed(angle):
 
 class StockFinnie(grainjet.Case):
 
-    def test_sum_over_steps(self):
-        """One triangle and one grain per angle."""
+    def worn(self, name, program, settings):
+        """W/(k m v^2) by angle: one triangle and one grain for each."""
         grains, triangles = [], []
         for i, degrees in enumerate(ANGLES):
             x, a = 0.01 * i, math.radians(degrees)
@@ -70,18 +76,25 @@ class StockFinnie(grainjet.Case):
             grains.append((1, D, RHO, (x + 0.0015, 0, 0.51 * D), (SPEED * math.cos(a), 0, -SPEED * math.sin(a))))
         (self.folder / "grains.data").write_text(scripts.data(grains, ((-0.001, 0.06), (-0.01, 0.01), (-0.001, 0.01))))
         (self.folder / "plates.stl").write_text(scripts.stl(*triangles))
-        self.liggghts(SCRIPT, program="liggghts")
-        surface = surfaces.Surface(self.folder / "worn3000.vtk")
-        stock = surface.values["wear"] * surface.values["area"] / (K * MASS * SPEED ** 2)
+        self.liggghts(SCRIPT.format(**settings), program=program)
+        surface = surfaces.Surface(self.folder / name)
+        depth = surface.values["wear" if settings is STOCK else "wear_depth"]
+        return depth * surface.values["area"] / (K * MASS * SPEED ** 2)
 
-        print("angle  stock, summed over steps  quadrature  Finnie, per impact  stock/Finnie")
-        for degrees, worn in zip(ANGLES, stock):
+    def test_sum_over_steps_and_impacts(self):
+        stock = self.worn("worn3000.vtk", "liggghts", STOCK)
+        impacts = self.worn("plates.vtp", "liggghts-plugins", PER_IMPACT)
+        print("angle  stock, summed over steps  quadrature  fix surface/stats  Finnie, per impact  stock/Finnie")
+        for degrees, worn, hit in zip(ANGLES, stock, impacts):
             angle = math.radians(degrees)
-            print(f"{degrees:5d}  {worn:24.4f}  {summed(angle):10.4f}  {finnie(angle):18.4f}  {worn / finnie(angle):12.3f}")
+            print(f"{degrees:5d}  {worn:24.4f}  {summed(angle):10.4f}  {hit:17.4f}  {finnie(angle):18.4f}  {worn / finnie(angle):12.3f}")
         for degrees, worn in zip(ANGLES, stock):
             angle = math.radians(degrees)
             # thousands of steps over the approach; the stock program has 0.33333 for 1/3
             self.assertAlmostEqual(worn / summed(angle), 1, delta=0.005, msg=f"{degrees} degrees")
+        for degrees, hit in zip(ANGLES, impacts):
+            # speed and angle of the step before the contact
+            self.assertAlmostEqual(hit / finnie(math.radians(degrees)), 1, delta=1e-6, msg=f"{degrees} degrees")
         for degrees, ratio in ((10, 0.20), (30, 0.88), (60, 2.4)):
             self.assertAlmostEqual(stock[ANGLES.index(degrees)] / finnie(math.radians(degrees)) / ratio, 1, delta=0.02)
 
