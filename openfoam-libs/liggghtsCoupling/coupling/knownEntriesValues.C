@@ -86,6 +86,15 @@ bool reads(const dictionary& dict, const word& key)
 }
 
 
+// A label written as one: from v2112 on OpenFOAM rounds numbers with a point, and those out of bounds end the run
+bool readsCount(const dictionary& dict, const word& key)
+{
+    const tokenList& tokens = dict.lookup(key);
+    label n;
+    return tokens.size() && tokens[0].isLabel() && reads<label>(dict, key, n) && n > 0;
+}
+
+
 bool between(const dictionary& dict, const word& key, const scalar low, const scalar high)
 {
     scalar x;
@@ -252,12 +261,7 @@ void Foam::knownEntries::checkValue
         case valueType::DICTIONARY: good = false; break;
         case valueType::ANY: break;
 
-        case valueType::COUNT:
-        {
-            label n;
-            good = reads<label>(dict, key, n) && n > 0;
-            break;
-        }
+        case valueType::COUNT: good = readsCount(dict, key); break;
         case valueType::NUMBER: good = between(dict, key, -largest, largest); break;
         case valueType::POSITIVE: good = between(dict, key, smallest, largest); break;
         case valueType::NOT_NEGATIVE: good = between(dict, key, 0, largest); break;

@@ -12,6 +12,7 @@
 #include "fvcLaplacian.H"
 #include "fvMatrices.H"
 #include "IOdictionary.H"
+#include "StringStream.H"
 #include "surfaceFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -38,21 +39,50 @@ namespace
 
 using namespace Foam;
 
-// OpenFOAM aborts with a stack trace if the dimensions are wrong: pass its words on
-scalar readValue(const dictionary& properties)
+// OpenFOAM aborts with a stack trace if the dimensions are wrong or there is a dictionary, which cannot be caught
+// from v2112 on: these are looked for here
+string unreadable(const dictionary& properties, scalar& value)
 {
-    scalar value = 0;
-    string wrong;
-
-    const bool throwing = FatalIOError.throwExceptions();
+    if (properties.isDict("rho"))
+    {
+        return "it is a dictionary\n";
+    }
     try
     {
+        ITstream& is = properties.lookup("rho");
+        token first(is);
+        if (first.isWord())
+        {
+            is >> first;
+        }
+        if (first == token::BEGIN_SQR)
+        {
+            is.putBack(first);
+            dimensionSet dimensions(dimless);
+            scalar multiplier;
+            dimensions.read(is, multiplier);
+            if (dimensions != dimDensity)
+            {
+                OStringStream os;
+                os  << "its dimensions are " << dimensions << ", not " << dimDensity << nl;
+                return os.str();
+            }
+        }
         value = dimensionedScalar("rho", dimDensity, properties).value();
+        return string();
     }
     catch (const IOerror& err)
     {
-        wrong = err.message();
+        return err.message();
     }
+}
+
+
+scalar readValue(const dictionary& properties)
+{
+    scalar value = 0;
+    const bool throwing = FatalIOError.throwExceptions();
+    const string wrong(unreadable(properties, value));
     FatalIOError.throwExceptions(throwing);
 
     if (!wrong.empty())

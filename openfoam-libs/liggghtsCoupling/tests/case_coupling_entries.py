@@ -6,11 +6,12 @@ constant/fvOptions, exit code 1, before the first momentum equation is solved. N
 # processors: 2
 # label: long
 
+import re
 import unittest
 
 import bad_case
 import grainjet
-from grainjet import dictionaries
+from grainjet import dictionaries, releases
 from grainjet.bad_input import Entry, spoil, values
 from grainjet.pages import table_of_page
 
@@ -69,6 +70,12 @@ KINDS = {
 
 def text(lines):
     return "".join(f"    {key} {value}{'' if value.startswith('{') else ';'}\n" for key, value in lines)
+
+
+def of_dictionary(*within):
+    """Regular expression of where an error says that an entry stands."""
+    names = (name for name in ("fvOptions", "particles", *within) if name)
+    return r"file: \S*constant/" + re.escape(releases.nested(*names))
 
 
 class Entries(bad_case.BadCase):
@@ -150,7 +157,6 @@ class Entries(bad_case.BadCase):
     def test_line(self):
         """A wrong value: the line of its entry; none if it stands in an included file."""
         good = [(k, e.good) for k, e in ENTRIES.items() if k not in ("drag", "forces")]
-        file = r"file: \S*constant/fvOptions\.particles"
         for key, bad, within in (("wallLaw", "maybe", ""), ("coupling", "threeWay", ""), ("couplingInterval", "2.5", ""),
                                  ("interpoltion", "cell", ""), ("Sct", "20", "turbulentDispersion"),
                                  ("sphericity", "2", "forces.drag"), ("C", "-1", "forces.addedMass")):
@@ -167,11 +173,11 @@ class Entries(bad_case.BadCase):
             lines = (folder / "constant/fvOptions").read_text().split("\n")
             number = next(i for i, line in enumerate(lines, 1) if f"{key} {bad};" in line)
             result = self.assertRefused(folder, key, at_reading=True)
-            self.assertRegex(result.output, file + (f"\\.{within}" if within else "") + f" at line {number}\\.")
+            self.assertRegex(result.output, of_dictionary(*within.split(".")) + f" at line {number}\\.")
 
         (folder / "constant/defaults").write_text("\n" * 12 + "wallLaw maybe;\n")
         self.options(folder, '    #include "defaults"\n' + text([pair for pair in good if pair[0] != "wallLaw"]))
-        self.assertRegex(self.assertRefused(folder, "wallLaw maybe").output, file + r"\n")
+        self.assertRegex(self.assertRefused(folder, "wallLaw maybe").output, of_dictionary() + r"\n")
 
     def test_words_of_their_own(self):
         """Allowed values and how to write it, in no words of OpenFOAM's parser."""

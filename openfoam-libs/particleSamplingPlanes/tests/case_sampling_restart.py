@@ -13,7 +13,7 @@ import numpy
 
 import ballistic_stream as stream
 import grainjet
-from grainjet import dictionaries
+from grainjet import dictionaries, releases
 
 SOLVER = "icoUncoupledKinematicParcelFoam"
 BREAK, END = 0.4, 0.8            # s; fields are written every 0.2 s
@@ -68,7 +68,7 @@ class Restart(grainjet.Case):
             tables = self.table(folder, 0)
             result = self.go_on(folder, ranks=ranks, check=False)
             self.assertFails(result, "FOAM FATAL IO ERROR", f"{BREAK}/{STATE}", f"time {BREAK} is missing", "reset yes",
-                             "controlDict.functions.profiles")
+                             releases.nested("controlDict", "functions", "profiles"))
             self.assertNotIn(f"Time = {BREAK + stream.DT:g}\n", result.output, "before the first step")
             self.assertEqual(self.table(folder, 0), tables)
 
