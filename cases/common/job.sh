@@ -84,11 +84,18 @@ fits()
             "use a shell without it, or build Grainjet for it (Allwmake of the source)"
 }
 
+# plain <folder>: stop if OpenFOAM would leave out characters of its path
+plain()
+{
+    [[ "$1" != *[[:space:]\'\"]* ]] || fail "the path '$1' holds blanks or quotes, which OpenFOAM cannot handle: move it"
+}
+
 # Builds Grainjet first if that was not done; afterwards its programs and libraries work.
 # A packed Grainjet is complete.
 prepare()
 {
     # in the folder of a case; cases/Allrun has its runs elsewhere
+    [ ! -d system ] || plain "$PWD"
     [ ! -d system ] || [ -w . ] || fail "the folder $PWD cannot be written to: copy it to one of your own and run ./Allrun there"
     if [ -x "$root/Allwmake" ]
     then

@@ -56,6 +56,15 @@ class Environment(grainjet.Case):
         self.assertEqual(self.after(self.places[0], LIGGGHTS_PLUGIN_PATH=plugins)["LIGGGHTS_PLUGIN_PATH"],
                          f"{self.places[0]}/lib:{plugins}")
 
+    def test_path_with_a_colon(self):
+        """No list of folders can hold it."""
+        place = self.folder/"a:b"
+        place.mkdir()
+        shutil.copy(grainjet.ROOT/"environment", place)
+        result = grainjet.run(["bash", "-c", f". '{place}/environment' || echo refused"], self.folder)
+        self.assertEqual(result.output, f"environment: the path '{place}' holds a colon, which separates the folders of PATH: "
+                                        "move Grainjet\nrefused\n")
+
     def test_liggghts_of_ones_own(self):
         root = self.folder/"liggghts"
         (root/"bin").mkdir(parents=True)

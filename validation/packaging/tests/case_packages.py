@@ -183,6 +183,13 @@ class Tarball(Package):
                 self.assertIn(f"is not complete, there is no {self.tree/name}: install it again", ran.output)
                 self.assertFalse(list(case.glob("log.*")))
 
+    def test_folder_with_blanks(self):
+        case = self.folder/"my jet"
+        shutil.copytree(self.tree/"cases/quickJet", case)
+        ran = self.user(f". {self.tree}/environment; ./Allrun", case)
+        self.assertNotEqual(ran.code, 0, ran)
+        self.assertEqual(ran.output, f"Allrun: the path '{case}' holds blanks or quotes, which OpenFOAM cannot handle: move it\n")
+
     def test_folder_that_cannot_be_written_to(self):
         case = self.folder/"shared"
         shutil.copytree(self.tree/"cases/quickJet", case)
