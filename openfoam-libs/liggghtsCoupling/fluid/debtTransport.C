@@ -25,14 +25,13 @@ void Foam::debtTransport::add
     vectorField& momentum,
     scalarField* energy,
     const label celli,
-    const scalar fraction,
     const debt& whole
 )
 {
-    momentum[celli] += fraction*vector(whole[0], whole[1], whole[2]);
+    momentum[celli] += vector(whole[0], whole[1], whole[2]);
     if (energy)
     {
-        (*energy)[celli] += fraction*whole[3];
+        (*energy)[celli] += whole[3];
     }
 }
 
@@ -76,6 +75,30 @@ void Foam::debtTransport::sumUp
 }
 
 
+bool Foam::debtTransport::isStiff
+(
+    const labelUList& cells,
+    const carrierFluid& fluid,
+    const scalar least
+)
+{
+    const scalarField& V = fluid.mesh().V();
+    const tmp<volScalarField> trho(fluid.rho());
+    bool any = false;
+    forAll(sums_, i)
+    {
+        const label celli = cells[i];
+        const scalar inertia = trho()[celli]*fluid.inertiaVoidFraction(celli)*V[celli];
+        any = any || sums_[i] > stiff_*inertia;
+        if (sums_[i] < least*inertia)
+        {
+            sums_[i] = 0;
+        }
+    }
+    return returnReduce(any, orOp<bool>());
+}
+
+
 bool Foam::debtTransport::stiff
 (
     const ownedGrains& grains,
@@ -83,22 +106,20 @@ bool Foam::debtTransport::stiff
     const carrierFluid& fluid
 )
 {
-    if (averages.filter() || !returnReduce(weight_.size(), sumOp<label>()))
+    if (!returnReduce(weight_.size(), sumOp<label>()))
     {
         return false;
     }
     sumUp(weight_, sums_, grains, averages);
 
-    const scalarField& V = fluid.mesh().V();
-    const tmp<volScalarField> trho(fluid.rho());
-    bool any = false;
-    forAll(sums_, i)
+    // A filter makes no sum per volume larger
+    const bool any = isStiff(averages.cells().cells(), fluid, 0);
+    if (!any || !averages.filter())
     {
-        const label celli = averages.cells().cells()[i];
-        const scalar inertia = trho()[celli]*fluid.inertiaVoidFraction(celli)*V[celli];
-        any = any || sums_[i] > stiff_*inertia;
+        return any;
     }
-    return returnReduce(any, orOp<bool>());
+    averages.filter()->spread(averages.cells(), sums_);
+    return isStiff(averages.cells().cells(), fluid, negligible_);
 }
 
 
@@ -110,6 +131,43 @@ void Foam::debtTransport::divide
     cellAverages& averages
 ) const
 {
+    const scalarField& V = averages.voidFraction().mesh().V();
+    occupiedCells& occupied = averages.cells();
+    DynamicList<debt> units;
+    debt rest(Zero);
+    forAll(sums_, i)
+    {
+        const label celli = occupied.cells()[i];
+        debt whole(Zero);
+        if (sums_[i] > 0)
+        {
+            for (direction k = 0; k < 3; ++k)
+            {
+                whole[k] = debts.momentum[celli][k];
+            }
+            whole[3] = debts.energy ? (*debts.energy)[celli] : 0;
+        }
+        units.append(debt(Zero));
+        forAll(whole, k)
+        {
+            rest[k] += whole[k];
+            units[i][k] = sums_[i] > 0 ? whole[k]/sums_[i] : 0;
+            units[i][k] *= averages.filter() ? V[celli] : 1;
+        }
+    }
+    if (averages.filter())
+    {
+        // What a grain has of the cells that it is spread over
+        averages.filter()->spread(occupied, units);
+        forAll(units, i)
+        {
+            for (scalar& value : units[i])
+            {
+                value /= V[occupied.cells()[i]];
+            }
+        }
+    }
+
     ofGrains.setSize(weight_.size());
     ofGrains = debt(Zero);
     averages.shares().collect<debt>
@@ -118,26 +176,41 @@ void Foam::debtTransport::divide
         [&](const label g){ return grains.cell(g); },
         [&](const label celli)
         {
-            const scalar sum = averages.cells().holds(celli) ? sums_[averages.cells().number(celli)] : 0;
-            debt unit(Zero);
-            if (sum > 0)
-            {
-                for (direction k = 0; k < 3; ++k)
-                {
-                    unit[k] = debts.momentum[celli][k]/sum;
-                }
-                unit[3] = debts.energy ? (*debts.energy)[celli]/sum : 0;
-            }
-            return unit;
+            return occupied.holds(celli) ? units[occupied.number(celli)] : debt(Zero);
         },
         [&](const label g, const scalar fraction, const debt& unit)
         {
-            for (label k = 0; k < debt::size(); ++k)
+            forAll(unit, k)
             {
                 ofGrains[g][k] += fraction*weight_[g]*unit[k];
             }
         }
     );
+
+    if (averages.filter())
+    {
+        // By the tolerance of its linear solver the sum is not that of the cells
+        for (const debt& whole : ofGrains)
+        {
+            forAll(whole, k)
+            {
+                rest[k] -= whole[k];
+            }
+        }
+        const scalar all = returnReduce(sum(weight_), sumOp<scalar>());
+        for (scalar& value : rest)
+        {
+            reduce(value, sumOp<scalar>());
+            value /= all;
+        }
+        forAll(ofGrains, g)
+        {
+            forAll(rest, k)
+            {
+                ofGrains[g][k] += weight_[g]*rest[k];
+            }
+        }
+    }
 }
 
 
@@ -203,15 +276,19 @@ void Foam::debtTransport::retire
     scalarList removed(weight_.size(), Zero);
     for (const label g : grains.removed())
     {
-        add(debts.lostMomentum, debts.lostEnergy, grains.cell(g), 1, ofGrains[g]);
+        add(debts.lostMomentum, debts.lostEnergy, grains.cell(g), ofGrains[g]);
         removed[g] = weight_[g];
     }
 
     DynamicList<scalar> ofRemoved;
     sumUp(removed, ofRemoved, grains, averages);
+    if (averages.filter())
+    {
+        averages.filter()->spread(averages.cells(), ofRemoved);
+    }
     forAll(ofRemoved, i)
     {
-        if (ofRemoved[i] > 0)
+        if (sums_[i] > 0)
         {
             scale(debts, averages.cells().cells()[i], 1 - ofRemoved[i]/sums_[i]);
         }
@@ -259,9 +336,11 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
         present,
         [&](const label celli, const debt& whole)
         {
-            add(debts_.lostMomentum, debts_.lostEnergy, celli, 1, whole);
+            add(debts_.lostMomentum, debts_.lostEnergy, celli, whole);
         }
     );
+    occupiedCells& occupied = averages.cells();
+    DynamicList<debt> sums;
     averages.shares().deposit<debt>
     (
         grains.size(),
@@ -269,9 +348,21 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
         [&](const label g){ return present[g]; },
         [&](const label celli, const scalar fraction, const debt& whole)
         {
-            add(debts_.momentum, debts_.energy, celli, fraction, whole);
+            debt& sum = occupied.sum(sums, celli);
+            forAll(whole, k)
+            {
+                sum[k] += fraction*whole[k];
+            }
         }
     );
+    if (averages.filter())
+    {
+        averages.filter()->spread(occupied, sums);
+    }
+    forAll(sums, i)
+    {
+        add(debts_.momentum, debts_.energy, occupied.cells()[i], sums[i]);
+    }
 }
 
 

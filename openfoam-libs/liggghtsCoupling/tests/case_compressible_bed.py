@@ -82,7 +82,7 @@ class GasBed(gas_box.GasCase):
             processors="processors 1 1 2" if ranks else "", options=options, **more)
         end = max((f.parent for f in folder.glob("*/voidFraction")), key=lambda f: float(f.name))
         layers = {name: field(end / name).reshape(ALONG, ACROSS ** 2, -1).mean(1)[:, -1]
-                  for name in ("p", "T", "U", "voidFraction", *(("k", "epsilon") if more.get("turbulence") else ()))}
+                  for name in ("p", "T", "U", "voidFraction", "k", "epsilon", "nuTilda") if (end / name).exists()}
         phi = field(end / "phi")
         # the faces between layers carry all of the mean flow
         through = numpy.sort(phi[abs(phi) > 0.5 * abs(phi).max() * (1 - bed.alpha)])
@@ -153,18 +153,24 @@ class GasBed(gas_box.GasCase):
                 bed = Bed(0.3, 1000)
                 self.assertErgun(bed, steps=60, turbulence=model, libs=libs, k=1e-3 * bed.velocity ** 2, epsilon=bed.velocity ** 3)
 
-    def test_transport_of_k(self):
-        """The gas carries k through the bed, where no eddy makes or destroys it: its path is no source of k, only the
-        divergence of u is, by 2/3 k div u. Without the void fraction in the equation of k there would be e times as much in the bed."""
-        bed = Bed(0.3, velocity=1.0)
-        layers, _, _ = self.run_bed(bed, steps=200, time_step=2e-3, gas="rhoConst", gas_density=RHO, pressure=1.0, turbulence="kEpsilon",
-                                    coefficients="Cmu 1e-12;", k=1.0, epsilon=1e-6)
-        e = layers["voidFraction"]
-        u = numpy.concatenate(([1.0], 2 / (e[1:] + e[:-1]), [1.0]))     # at faces
-        expected = numpy.cumprod(1 / (1 + 2 / 3 * (u[1:] / u[:-1] - 1)))
-        print(f"k/k0 in the bed {layers['k'][20]:.6f}, expected {expected[20]:.6f}, behind it {layers['k'][-1]:.6f}, {expected[-1]:.6f}")
-        # at the bed's ends the gas' own viscosity acts on k, too: nu/(U cell) = 4e-3 of a difference between layers
-        self.assertLess(abs(layers["k"] / expected - 1).max(), 1e-3)
+    def test_transport(self):
+        """The gas carries k or nuTilda through the bed, where no eddy makes or destroys them: its path is no source of them, only
+        the divergence of u is, by 2/3 k div u, of k. Without the void fraction in the equation there would be e times as much in
+        the bed."""
+        for model, name, more in (("kEpsilon", "k", {"coefficients": "Cmu 1e-12;", "epsilon": 1e-6}),
+                                  ("kEqn", "k", {"simulation": "LES", "coefficients": "Ck 1e-12; Ce 1e-6;"}),
+                                  ("SpalartAllmaras", "nuTilda", {"coefficients": "Cb1 1e-12;", "nu_tilda": 1e-6})):
+            with self.subTest(model=model):
+                layers, _, _ = self.run_bed(Bed(0.3, velocity=1.0), steps=200, time_step=2e-3, gas="rhoConst", gas_density=RHO,
+                                            pressure=1.0, turbulence=model, **more)
+                e = layers["voidFraction"]
+                u = numpy.concatenate(([1.0], 2 / (e[1:] + e[:-1]), [1.0]))     # at faces
+                expected = numpy.cumprod(1 / (1 + 2 / 3 * (u[1:] / u[:-1] - 1))) if name == "k" else numpy.ones(len(e))
+                value = layers[name] / more.get("nu_tilda", 1.0)
+                print(f"{model}, {name} in the bed {value[20]:.6f}, expected {expected[20]:.6f}, "
+                      f"behind it {value[-1]:.6f}, {expected[-1]:.6f}")
+                # at the bed's ends the gas' own viscosity acts on k, too: nu/(U cell) = 4e-3 of a difference between layers
+                self.assertLess(abs(value / expected - 1).max(), 1e-3)
 
     def test_ranks(self):
         """Serial and 2 ranks, whose cut lies in the middle of the bed, to the solvers' tolerance."""

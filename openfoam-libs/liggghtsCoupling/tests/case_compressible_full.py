@@ -63,6 +63,7 @@ class GasCrowd(gas_box.GasCase):
         libs = '("libliggghtsCoupling.so" "libjetTurbulenceModels.so")'
         for more in ({"consistent": True}, {"consistent": True, "transonic": True, "energy": "h"},
                      {"turbulence": "kEpsilon", "epsilon": 100.0},
+                     {"turbulence": "SpalartAllmaras", "nu_tilda": 1e-3}, {"turbulence": "kEqn", "simulation": "LES"},
                      {"solver": "sonicFoam", "turbulence": "kEpsilon", "epsilon": 100.0}, {"turbulence": "jetKEpsilon", "epsilon": 100.0, "libs": libs}):
             with self.subTest(**more):
                 mass, momentum, joule = self.balances(**more)

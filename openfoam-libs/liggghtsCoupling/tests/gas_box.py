@@ -31,10 +31,10 @@ def heat_capacity(energy):
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
           tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, consistent=False, time_scheme="Euler",
-          turbulence=None, frozen=False, coefficients="", k=1.0, epsilon=1.0, **fluid):
+          turbulence=None, simulation="RAS", frozen=False, coefficients="", k=1.0, epsilon=1.0, nu_tilda=1e-5, **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
-    and temperature, and leaves at zhi at the given pressure. Turbulence: a RAS model with k and epsilon, which have these
-    values at the beginning and at zlo, and its coefficients."""
+    and temperature, and leaves at zhi at the given pressure. Turbulence: a model of k, epsilon or nuTilda, which have these
+    values at the beginning and at zlo, and its coefficients; simulation: RAS or LES."""
     fluid["functions"] = fluid.get("functions", "") + WRITE.format(energy)
     box.write(folder, velocity=velocity, walls=walls, through=through, convection=convection, **fluid)
     thermo = thermo or ("hePsiThermo" if gas == "perfectGas" else "heRhoThermo")
@@ -65,7 +65,7 @@ solvers
 {{
     "p.*" {{ {of_p} }}
     "rho.*" {{ solver diagonal; }}
-    "(U|e|h|k|epsilon).*" {{ {krylov.format("DILU", tolerance)} }}
+    "(U|e|h|k|epsilon|nuTilda).*" {{ {krylov.format("DILU", tolerance)} }}
 }}
 PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic else 'no'};
           consistent {'yes' if consistent else 'no'}; }}
@@ -80,9 +80,12 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
     dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", T0, f'".*" {{ {other} }} {warm if through else ""}')
     if turbulence:
         dictionaries.write(folder / "constant/turbulenceProperties",
-                           f"simulationType RAS; RAS {{ RASModel {turbulence}; turbulence {'off' if frozen else 'on'}; printCoeffs off; "
-                           f"{turbulence}Coeffs {{ {coefficients} }} }}")
-        for name, value, dimensions in (("k", k, "0 2 -2"), ("epsilon", epsilon, "0 2 -3"), ("nut", 0, "0 2 -1"), ("alphat", 0, "1 -1 -1")):
+                           f"simulationType {simulation}; {simulation} {{ {simulation}Model {turbulence}; "
+                           f"turbulence {'off' if frozen else 'on'}; printCoeffs off; delta cubeRootVol; "
+                           f"cubeRootVolCoeffs {{ deltaCoeff 1; }} {turbulence}Coeffs {{ {coefficients} }} }}")
+        dictionaries.change(folder / "system/fvSchemes", ("ddtSchemes", "wallDist { method meshWave; }\nddtSchemes"))
+        for name, value, dimensions in (("k", k, "0 2 -2"), ("epsilon", epsilon, "0 2 -3"), ("nuTilda", nu_tilda, "0 2 -1"),
+                                        ("nut", 0, "0 2 -1"), ("alphat", 0, "1 -1 -1")):
             at_inlet = "type calculated; value uniform 0;" if value == 0 else f"type fixedValue; value uniform {value!r};"
             dictionaries.write_field(folder, name, dimensions, value, f'".*" {{ {other} }} ' + (
                 f"zlo {{ {at_inlet} }} zhi {{ type zeroGradient; }}" if through else ""))
