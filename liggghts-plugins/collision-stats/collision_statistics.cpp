@@ -47,7 +47,7 @@ const std::vector<CollisionStatistics::Quantity> &CollisionStatistics::quantitie
 double CollisionStatistics::numbers(double cells, const SpectrumBins (&spectra)[KINDS])
 {
   double one = 1.0;
-  for (const Quantity &q : quantities()) one += Moments::PACKED + LogHistogram::packed(spectra[q.kind].count);
+  for (const Quantity &q : quantities()) one += Moments::PACKED + 2.0 * LogHistogram::packed(spectra[q.kind].count);
   return cells * one;
 }
 

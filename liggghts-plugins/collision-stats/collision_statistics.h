@@ -46,7 +46,7 @@ class CollisionStatistics {
   };
   static const std::vector<Quantity> &quantities();
 
-  // number of doubles of the statistics of so many cells
+  // doubles that the statistics of so many cells take, with the edges of the spectra
   static double numbers(double cells, const SpectrumBins (&)[KINDS]);
 
   CollisionStatistics(const AxisBins &, int types, const SpectrumBins (&)[KINDS]);

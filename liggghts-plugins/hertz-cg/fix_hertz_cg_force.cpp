@@ -31,12 +31,13 @@ struct FixHertzCg::Grains {
   const int *type, *mask, *tag;
   int nlocal;
   double dt;
-  bool watched;      // somebody wants to be told of every contact
+  bool told;         // somebody asks the pair style for every contact
+  bool watched;      // that, or there are observers
 
-  Grains(Atom *atom, double step, bool watch)
+  Grains(Atom *atom, double step, bool tell, bool observe)
     : x(atom->x), v(atom->v), f(atom->f), omega(atom->omega), torque(atom->torque),
       radius(atom->radius), rmass(atom->rmass), type(atom->type), mask(atom->mask),
-      tag(atom->tag), nlocal(atom->nlocal), dt(step), watched(watch) {}
+      tag(atom->tag), nlocal(atom->nlocal), dt(step), told(tell), watched(tell || observe) {}
 
   // a pair across ranks is computed on both; each counts it once in two, or by IDs
   double share(int j) const { return j < nlocal ? 1.0 : 0.5; }
@@ -87,7 +88,7 @@ void FixHertzCg::compute(bool advance)
 template <bool TANGENTIAL, bool EXTRAS>
 void FixHertzCg::compute_pairs(bool advance, bool again)
 {
-  const Grains g(atom, update->dt, stand_in_->watched() || observers_.any());
+  const Grains g(atom, update->dt, stand_in_->watched(), observers_.any());
   const std::size_t n = pairs_.size();
   if (n == 0) return;
   if (grows_)
@@ -233,7 +234,7 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
   c.twist = e.twist;
   c.rolling = e.rolling;
   if (g.watched) {
-    stand_in_->tell(told(k, i, j, e.force, e.twist, e.rolling));
+    if (g.told) stand_in_->tell(told(k, i, j, e.force, e.twist, e.rolling));
     observe_contact(k, p, work, found, advance);
   }
 
@@ -253,7 +254,7 @@ void FixHertzCg::compute_contact(const Grains &g, std::size_t p, double rsq, boo
 
 void FixHertzCg::tell_contacts()
 {
-  const Grains g(atom, update->dt, false);
+  const Grains g(atom, update->dt, false, false);
   for (const int p : stand_in_->order()) {
     const int i = pairs_.pairs[p].i, j = pairs_.pairs[p].j;
     const double distance = contact::length(vector(g.x[i]) - vector(g.x[j]));
@@ -329,7 +330,7 @@ void FixHertzCg::fail_contact(const Grains &g, std::size_t p, const char *why)
 
 double FixHertzCg::elastic_energy() const
 {
-  const Grains g(atom, update->dt, false);
+  const Grains g(atom, update->dt, false, false);
   double energy = 0.0;
   if (!pairs_valid_) return energy;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {

@@ -1,6 +1,7 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
 """fix collision/stats by region, slab and pair of types: pairs of grains that meet at known places at known times."""
 
 import math

@@ -115,7 +115,8 @@ TEST(CollisionStatistics, PackedAndUnpackedIsBitwiseTheSame)
   for (int n = 0; n < 100; ++n) s.add(collision(n % s.cells(), 1.0 + 0.1 * n));
   CollisionStatistics t = statistics(2, 3);
   const std::vector<double> list = s.pack();
-  EXPECT_EQ(list.size(), CollisionStatistics::numbers(s.cells(), SPECTRA) + 3 * 3);
+  EXPECT_LT(list.size(), CollisionStatistics::numbers(s.cells(), SPECTRA));
+  EXPECT_GT(2 * list.size(), CollisionStatistics::numbers(s.cells(), SPECTRA));
   ASSERT_TRUE(t.unpack(list));
   EXPECT_EQ(t.pack(), list);
   CollisionStatistics other = statistics(3, 3);
