@@ -55,7 +55,7 @@ class FixSurfaceStats : public FixWallCollisions {
  protected:
 
   std::string attach_surface() override;
-  void update_surface(bool start) override { surface_->update(start); }
+  void update_surface(bool) override { surface_->update(); }
   std::vector<Output> outputs() const override;
   std::string event_columns() const override;
   std::string event(const grainjet::FinishedCollision &) const override;

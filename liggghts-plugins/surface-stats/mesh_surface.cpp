@@ -90,10 +90,9 @@ int MeshSurface::count_triangles(FixMeshSurface *owner) const
 
 /* ---------------------------------------------------------------------- */
 
-void MeshSurface::update(bool start)
+void MeshSurface::update()
 {
-  for (MeshContacts &contacts : contacts_)
-    if (start || contacts.has_velocity()) contacts.update();
+  for (MeshContacts &contacts : contacts_) contacts.update();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -29,8 +29,9 @@ class MeshSurface : protected Pointers, public WatchedSurface {
   // before. At the definition and at the start of every run, on all ranks together.
   std::string attach();
 
-  // velocities of the nodes; at the start of a run, and in every step if they have any
-  void update(bool start);
+  // Velocities of the nodes, in every step: a mesh that is moved gets them only after the start of a
+  // run, and LIGGGHTS puts them elsewhere when triangles change rank
+  void update();
 
   int meshes() const { return static_cast<int>(meshIDs_.size()); }
   const std::string &name(int m) const { return meshIDs_[m]; }

@@ -119,3 +119,7 @@ class SurfaceCase(grainjet.Case):
     def map(self, name="map.vtp"):
         """Cell data of a map."""
         return read_vtp(self.folder / name)[2]
+
+    def points(self, name="map.vtp"):
+        """Coordinates of the points of a map, in one list."""
+        return read_vtp(self.folder / name)[0]
