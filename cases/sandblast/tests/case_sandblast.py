@@ -16,7 +16,7 @@ SANDBLAST = grainjet.ROOT/"cases"/"sandblast"
 RUN = "inclined-jetKEpsilon"
 
 # Cells and time step twice those of the job, so that Courant numbers stay the same; grains twice as large
-SHRUNK = {"cg": 2, "fluidStep": 1.6e-5, "couplingInterval": 160, "insertionInterval": 320, "cell": 0.26, "nAir": 5, "nJet": 14,
+SHRUNK = {"cg": 2, "fluidStep": 3.2e-5, "couplingInterval": 320, "insertionInterval": 320, "cell": 0.26, "nAir": 5, "nJet": 14,
           "plateCell": 0.25, "endTime": 0.00256, "writeInterval": 0.00128, "spinUpIterations": 60}
 
 
