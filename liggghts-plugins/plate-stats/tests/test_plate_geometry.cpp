@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "plate-stats/collision.h"
+#include "wall-collisions/collision.h"
 #include "plate-stats/plate_geometry.h"
 
 #include <gtest/gtest.h>
