@@ -88,17 +88,22 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
 
 Foam::functionObjects::particleSamplingPlanes::~particleSamplingPlanes()
 {
+    // One that has been replaced, or holds what another one has done
+    if (!keeper_)
+    {
+        return;
+    }
+
     // At the end of a program there is no mesh any more
-    bool inRun = false;
     const HashTable<const fvMesh*> meshes(time_.lookupClass<fvMesh>());
     forAllConstIters(meshes, iter)
     {
-        inRun = inRun || iter.val() == &mesh_;
-    }
-    if (keeper_ && inRun)
-    {
-        keeper_.reset(nullptr);
-        takenOut.reset(new particleSamplingPlanes(*this));
+        if (iter.val() == &mesh_)
+        {
+            keeper_.reset(nullptr);
+            takenOut.reset(new particleSamplingPlanes(*this));
+            return;
+        }
     }
 }
 
