@@ -36,12 +36,12 @@ function(grainjet_install component binaries data pages)
     REGEX "/(tests|runs|__pycache__|results|postProcessing|polyMesh|particles|VTK|begun|\\.gitignore)$" EXCLUDE
     REGEX "/(log\\.|processor|stage\\.)[^/]*$" EXCLUDE
     REGEX "\\.foam$" EXCLUDE
-    REGEX "/(quickJet|quickJet/spinUp|fluidBed|waterJet)/(0|0\\.[0-9][^/]*|[1-9][^/]*)$" EXCLUDE
+    REGEX "/(quickJet|quickJet/spinUp|fluidBed|waterJet|elbow|elbow/spinUp|sandblast)/(0|0\\.[0-9][^/]*|[1-9][^/]*)$" EXCLUDE
     REGEX "/quickJet/spinUp/constant$" EXCLUDE)
   install(DIRECTORY validation/plots DESTINATION ${data}/validation ${part} USE_SOURCE_PERMISSIONS
-    REGEX "__pycache__$" EXCLUDE)
+    REGEX "/(tests|__pycache__)$" EXCLUDE)
   install(DIRECTORY validation/testing/grainjet DESTINATION ${data}/validation/testing ${part}
-    REGEX "__pycache__$" EXCLUDE)
+    REGEX "/(tests|__pycache__)$" EXCLUDE)
   install(DIRECTORY docs DESTINATION ${pages} ${part})
   install(FILES README.md DESTINATION ${pages} ${part})
 endfunction()

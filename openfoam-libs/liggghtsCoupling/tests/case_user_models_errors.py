@@ -5,13 +5,19 @@
 entry, before LIGGGHTS begins. One of each kind on 2 ranks, too."""
 # processors: 2
 
+import re
 import unittest
 
 import bad_case
-from grainjet import coupled_box as box
+from grainjet import coupled_box as box, releases
 import user_library
 
 FILE = "constant/fvOptions"
+
+
+def of_force(name):
+    """Where an error says that a force's entry stands."""
+    return releases.nested(FILE, "particles", "forces", name)
 
 
 class UserModelsErrors(bad_case.BadCase):
@@ -44,7 +50,7 @@ class UserModelsErrors(bad_case.BadCase):
 
     def test_misspelt_entry(self):
         """Told by the model, with its own entries."""
-        options = f"file: .*{FILE}.particles.forces.shearLift at line [0-9]+"
+        options = f"file: .*{re.escape(of_force('shearLift'))} at line [0-9]+"
         self.assertOneError("{ shearLift { c 1.615; } }", "Unknown entry c", "Valid:", "(C)", lines=options, parallel=True)
         self.assertOneError("{ drag { model scaledStokes; factro 2; } }", "Unknown entry factro", "factor",
                             "model", FILE)
@@ -52,9 +58,9 @@ class UserModelsErrors(bad_case.BadCase):
 
     def test_bad_value(self):
         self.assertOneError("{ shearLift { C -1; } }", "C -1", "positive", FILE)
-        self.assertOneError("{ memoryForce { time nan; } }", "nan", FILE + ".particles.forces.memoryForce at line")
+        self.assertOneError("{ memoryForce { time nan; } }", "nan", of_force("memoryForce") + " at line")
         self.assertOneError("{ relaxation { time 1; reaction perhaps; } }", "perhaps", FILE)
-        self.assertOneError("{ shearLift { C word; } }", "C word ", FILE + ".particles.forces.shearLift at line")
+        self.assertOneError("{ shearLift { C word; } }", "C word ", of_force("shearLift") + " at line")
 
     def test_stated_entries(self):
         """Those that a model states at file scope are refused when the option is read, others when the model is made."""
@@ -67,7 +73,7 @@ class UserModelsErrors(bad_case.BadCase):
             self.assertEqual("\nTime = " in result.output, not early, result)
 
     def test_missing_entry(self):
-        self.assertOneError("{ shearLift {} }", "Entry C is missing", FILE + ".particles.forces.shearLift",
+        self.assertOneError("{ shearLift {} }", "Entry C is missing", of_force("shearLift"),
                             parallel=True)
         self.assertOneError("{ drag { model scaledStokes; } }", "Entry factor is missing", FILE)
 

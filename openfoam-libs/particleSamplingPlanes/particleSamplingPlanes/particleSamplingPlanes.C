@@ -119,29 +119,6 @@ void Foam::functionObjects::particleSamplingPlanes::begin
 }
 
 
-void Foam::functionObjects::particleSamplingPlanes::takeOver
-(
-    particleSamplingPlanes& former
-)
-{
-    frame_ = former.frame_;
-    grid_ = former.grid_;
-    planes_ = former.planes_;
-    sizeLimits_ = former.sizeLimits_;
-    positions_ = former.positions_;
-    clock_ = former.clock_;
-    view_ = std::move(former.view_);
-    events_ = std::move(former.events_);
-    beginTime_ = former.beginTime_;
-    keptTimeIndex_ = former.keptTimeIndex_;
-    writtenTimeIndex_ = former.writtenTimeIndex_;
-    executedTimeIndex_ = former.executedTimeIndex_;
-    jumped_ = former.jumped_;
-    keeper_ = std::move(former.keeper_);
-    keeper_->setOwner(*this);
-}
-
-
 void Foam::functionObjects::particleSamplingPlanes::sample()
 {
     const label timeIndex = time_.timeIndex();
@@ -237,10 +214,9 @@ bool Foam::functionObjects::particleSamplingPlanes::read
     const dictionary& dict
 )
 {
-    particleSamplingPlanes* former =
-        planes_.size() ? this : samplingState::owner(time_, name());
+    particleSamplingPlanes* before = former();
 
-    if (!former)
+    if (!before)
     {
         fvMeshFunctionObject::read(dict);
         writeFile::read(dict);
@@ -251,9 +227,15 @@ bool Foam::functionObjects::particleSamplingPlanes::read
     }
 
     // An edit must neither end a running job nor what it has sampled
-    if (former != this)
+    if (before != this)
     {
-        takeOver(*former);
+        takeOver(*before);
+        keeper_ = std::move(before->keeper_);
+        if (!keeper_)
+        {
+            keeper_.reset(new samplingState(time_, name(), *this));
+        }
+        keeper_->setOwner(*this);
     }
     readWindow(dict);
 

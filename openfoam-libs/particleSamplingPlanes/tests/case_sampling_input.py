@@ -150,7 +150,7 @@ class Edits(grainjet.Case):
                             ("cloud", stream.sampling(cloud="nobody"))):
             log, table = self.run_case(name, stream.sampling() + right + wrong.replace("profiles", "third"))
             self.assertEqual(table, unedited)
-            self.assertIn("while loading function object 'third'", log)
+            self.assertIn("loading function object 'third'", log)
             # in a folder of its own: the time at which it was added
             self.assertIn("sampled time = 0.2 s", (self.folder/name/"postProcessing/second/0.2/plane_1D.dat").read_text())
             self.assertFalse((self.folder/name/"postProcessing/third").exists())
