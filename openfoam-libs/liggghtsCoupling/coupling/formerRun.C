@@ -134,7 +134,9 @@ Foam::wordList Foam::formerRun::traces() const
         const char* field
       : {
             "voidFraction", "particleVelocity", "dragCoefficient", "particleMomentumSource",
-            "particleMomentumOwed", "particleEnergySource", "particleEnergyOwed"
+            "particleMomentumOwed", "momentumOfLostGrains", "particleEnergySource", "particleEnergyOwed",
+            "energyOfLostGrains", "solidsFlux", "feltPressureGradient", "feltViscousStress",
+            "momentumOfShares", "massOfShares", "massLeft", "energyOfShares"
         }
     )
     {
