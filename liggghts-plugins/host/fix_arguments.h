@@ -37,6 +37,9 @@ class FixArguments {
     return arg_[next_++];
   }
 
+  // the words that are not read yet
+  std::vector<std::string> rest() const { return std::vector<std::string>(arg_ + next_, arg_ + narg_); }
+
   // The next word, which has to be one of the keywords, each of which may come once.
   std::string keyword(const std::vector<std::string> &valid)
   {

@@ -65,7 +65,9 @@ bool MeshContacts::deepest(int i, Contact &touched) const
   for (int slot = 0; slot < n; slot++) {
     const int id = contacts->get_partner_idTri(i, slot);
     Contact contact;
-    if (id < 0 || !nearest(i, id, contact) || (found && contact.gap >= touched.gap)) continue;
+    if (id < 0 || !nearest(i, id, contact)) continue;
+    if (found && (contact.gap > touched.gap
+        || (contact.gap == touched.gap && id > touched.triangle))) continue;
     found = true;
     touched = contact;
   }

@@ -40,8 +40,8 @@ class MeshContacts : protected Pointers {
   // neighbour list of the wall: grain i may touch a triangle until the next rebuild
   bool comes_near(int i) const;
 
-  // Of the triangles that grain i touches the one it has entered deepest, of equals the one that
-  // the wall noted first; false: none
+  // Of the triangles that grain i touches the one it has entered deepest, of equals the one with the
+  // lowest ID; false: none
   bool deepest(int i, Contact &) const;
 
   // grain i and this triangle; of images in a periodic box the nearest. false: not on this rank

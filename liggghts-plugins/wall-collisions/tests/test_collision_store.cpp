@@ -139,3 +139,20 @@ TEST(CollisionStore, NothingIsLeftOfAnOldCollision)
   EXPECT_EQ(store.begin(1).normalPeak, 0);
   EXPECT_EQ(store.find(0), nullptr);
 }
+
+// A plate keeps the first part of a record, which is what its restart files have always held
+TEST(CollisionStore, APartIsKept)
+{
+  static_assert(Collision::OF_PLATE == 17, "restart files of plates hold 17 numbers to a collision");
+  CollisionStore store(Collision::OF_PLATE), other(Collision::OF_PLATE);
+  store.grow(1);
+  other.grow(1);
+  Collision &c = store.begin(0);
+  for (int n = 0; n < Collision::SIZE; n++) c.data()[n] = n + 1;
+  double buffer[CollisionStore::PACKED];
+  ASSERT_EQ(store.pack(0, buffer), 1 + Collision::OF_PLATE);
+  ASSERT_EQ(other.unpack(0, buffer), 1 + Collision::OF_PLATE);
+  for (int n = 0; n < Collision::SIZE; n++)
+    EXPECT_EQ(other.find(0)->data()[n], n < Collision::OF_PLATE ? n + 1 : 0);
+  EXPECT_EQ(other.find(0)->surface[2], Collision::OF_PLATE);
+}

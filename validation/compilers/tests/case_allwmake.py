@@ -227,7 +227,8 @@ class Plugins(unittest.TestCase):
             self.assertEqual(result.code, 0, result)
             targets = subprocess.run(["cmake", "--build", folder, "--target", "help"], check=True,
                                      stdout=subprocess.PIPE, text=True).stdout
-            for plugin in ("liggghtsloader", "hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "fluidforceplugin", "wallroughnessplugin"):
+            for plugin in ("liggghtsloader", "hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "surfacestatsplugin", "fluidforceplugin",
+                           "wallroughnessplugin"):
                 self.assertIn(plugin, targets)
             self.assertNotIn("exampleplugin", targets)
             self.assertNotIn("test_", targets)
