@@ -119,8 +119,9 @@ class Regions(CollisionCase):
         """A ball moves along x, to where the second pair meets later and away from where a third does."""
         pairs = [((0.005, 0.01, 0.01), (1, 1), GAP), ((0.015, 0.01, 0.01), (1, 2), LATER), ((0.005, 0.013, 0.01), (2, 2), LATER)]
         rows = self.meet(pairs, "region r", steps=2600,
-                         more="variable dx equal step*dt*5\nregion r sphere 0.005 0.011 0.01 0.0035 units box move v_dx NULL NULL")
+                         more="variable dx equal step*dt*4\nregion r sphere 0.005 0.011 0.01 0.0035 units box move v_dx NULL NULL")
         self.assertEqual(self.counts(rows), {("all", "all"): 2, ("all", "1-1"): 1, ("all", "1-2"): 1})
+        self.assertAlmostEqual(rows["all", "all"]["volume"] / (4 / 3 * math.pi * 0.0035 ** 3), 1, delta=1e-2)
 
     def test_group(self):
         pairs = [((0.005, 0.01, 0.01), (1, 1), GAP), ((0.01, 0.01, 0.01), (1, 2), GAP), ((0.015, 0.01, 0.01), (2, 2), GAP)]
