@@ -32,7 +32,7 @@ def main():
     b = bend.Bend(args.case)
     depth = 1e6*b.map.values["wear_depth"]/b.sand
     figure, (outside, beside, line) = plt.subplots(1, 3, figsize=(14, 4.6), constrained_layout=True, gridspec_kw={"width_ratios": (0.75, 1, 1.25)})
-    norm = matplotlib.colors.Normalize(0, numpy.quantile(depth[depth > 0], 0.98) if (depth > 0).any() else 1)
+    norm = matplotlib.colors.Normalize(0, numpy.quantile(depth[depth > 0], 0.995) if (depth > 0).any() else 1)
     drawn = surface.draw_map(outside, b.map, depth, look=(1, 0, -1), up=(1, 0, 1), length=b.p["D"], norm=norm)
     outside.set(xlabel="$y/D$", ylabel="along the pipe, $D$", title="outer side")
     surface.draw_map(beside, b.map, depth, look=(0, 1, 0), up=(0, 0, 1), length=b.p["D"], norm=norm)

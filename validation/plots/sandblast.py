@@ -40,7 +40,7 @@ def main():
     for panel, run in zip(axes[0], maps):
         depth = run.map.values["wear_depth"]/run.abrasive*1e6          # um/kg
         drawn = surface.draw_map(panel, run.map, depth, length=run.p["D"],
-                                 norm=matplotlib.colors.Normalize(0, numpy.quantile(depth[depth > 0], 0.98) if (depth > 0).any() else 1))
+                                 norm=matplotlib.colors.Normalize(0, numpy.quantile(depth[depth > 0], 0.995) if (depth > 0).any() else 1))
         panel.set(xlabel="$x/D$", ylabel="$y/D$", title=scar.NAMES[run.name], xlim=(-3, 3), ylim=(-2, 2))
         figure.colorbar(drawn, ax=panel, label="wear depth, um per kg of quartz", shrink=0.85)
 

@@ -20,6 +20,7 @@ matplotlib.use("Agg")
 import matplotlib.collections
 import matplotlib.colors
 import matplotlib.pyplot as plt
+import matplotlib.ticker
 import numpy
 
 from grainjet import surfaces
@@ -96,10 +97,11 @@ def draw_spectrum(axes, rows, name):
     axes.stairs(share/width, numpy.append(low, high[-1]), fill=True, alpha=0.6)
     if logarithmic:
         axes.set_xscale("log")
+        axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
         seen = numpy.flatnonzero(particles)
         if len(seen):
             axes.set_xlim(low[seen[0]], high[seen[-1]])
-    axes.set(xlabel=SPECTRA.get(name, name), ylabel="share of impacts per decade" if logarithmic else "share per degree", ylim=(0, None))
+    axes.set(xlabel=SPECTRA.get(name, name), ylabel="share per decade" if logarithmic else "share per degree", ylim=(0, None))
     axes.grid(alpha=0.3)
 
 
