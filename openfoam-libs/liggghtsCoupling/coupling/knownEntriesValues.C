@@ -90,7 +90,7 @@ bool reads(const dictionary& dict, const word& key)
 bool readsCount(const dictionary& dict, const word& key)
 {
     const tokenList& tokens = dict.lookup(key);
-    label n;
+    label n = 0;
     return tokens.size() && tokens[0].isLabel() && reads<label>(dict, key, n) && n > 0;
 }
 
