@@ -42,7 +42,8 @@ class NewModelPage(unittest.TestCase):
         table = page[page.index("## Adding a model"):]
         documented = set(re.findall(r"(?m)^\| `(\w+)` \|", table))
         fluid = LIBRARY.parent.parent / "fluid"
-        offered = {name for file in ("standardQuantities.C", "turbulenceQuantities.C", "accelerationQuantity.H")
+        offered = {name for file in ("standardQuantities.C", "turbulenceQuantities.C", "gasQuantities.C",
+                                          "accelerationQuantity.H")
                    for name in re.findall(r'TypeName\("(\w+)"\)', (fluid / file).read_text())}
         self.assertEqual(documented, offered)
         header = (fluid / "fluidQuantity.H").read_text()
