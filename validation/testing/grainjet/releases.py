@@ -25,3 +25,8 @@ def openfoam():
 def nested(*names):
     """The name of a dictionary within others, as OpenFOAM prints it."""
     return ("/" if openfoam() >= 2312 else ".").join(names)
+
+
+def atmospheric_wall_function():
+    """The wall function of nut by k in libatmosphericModels."""
+    return "atmNutkWallFunction" if openfoam() >= 2006 else "nutkAtmRoughWallFunction"
