@@ -79,10 +79,11 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
     dictionaries.write_field(folder, "p", "1 -1 -2", pressure, f'".*" {{ {other} }} {outlet if through else ""}')
     dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", T0, f'".*" {{ {other} }} {warm if through else ""}')
     if turbulence:
+        filter_width = "delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; }" if simulation == "LES" else ""
         dictionaries.write(folder / "constant/turbulenceProperties",
                            f"simulationType {simulation}; {simulation} {{ {simulation}Model {turbulence}; "
-                           f"turbulence {'off' if frozen else 'on'}; printCoeffs off; delta cubeRootVol; "
-                           f"cubeRootVolCoeffs {{ deltaCoeff 1; }} {turbulence}Coeffs {{ {coefficients} }} }}")
+                           f"turbulence {'off' if frozen else 'on'}; printCoeffs off; {filter_width} "
+                           f"{turbulence}Coeffs {{ {coefficients} }} }}")
         dictionaries.change(folder / "system/fvSchemes", ("ddtSchemes", "wallDist { method meshWave; }\nddtSchemes"))
         for name, value, dimensions in (("k", k, "0 2 -2"), ("epsilon", epsilon, "0 2 -3"), ("nuTilda", nu_tilda, "0 2 -1"),
                                         ("nut", 0, "0 2 -1"), ("alphat", 0, "1 -1 -1")):
