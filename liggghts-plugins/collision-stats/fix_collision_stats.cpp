@@ -71,7 +71,7 @@ void FixCollisionStats::parse_bins(FixArguments &in)
   bins_.low = in.number("low of bins");
   bins_.high = in.number("high of bins");
   if (!(bins_.high > bins_.low)) in.fail("bins: low must be below high");
-  bins_.count = in.count("number of bins", MOST_BINS);
+  bins_.count = in.count("number of bins after 'bins'", MOST_BINS);
 }
 
 void FixCollisionStats::parse_spectrum(FixArguments &in, const std::string &keyword, SpectrumBins &spectrum)

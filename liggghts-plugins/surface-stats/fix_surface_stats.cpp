@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -44,6 +45,23 @@ FixSurfaceStats::FixSurfaceStats(LAMMPS *lmp, int narg, char **arg) :
   follow_sliding();
   watch(*surface_);
   size_vector = 6;
+}
+
+/* ---------------------------------------------------------------------- */
+
+static const char *const KEYWORDS[] = {"mesh", "wall", "wear", "every", "file", "vtk", "events", "spectra", "speed",
+  "energy", "stats_start"};
+
+static bool is_keyword(const std::string &word)
+{
+  return std::find(std::begin(KEYWORDS), std::end(KEYWORDS), word) != std::end(KEYWORDS);
+}
+
+static std::string keyword_list()
+{
+  std::string list;
+  for (const char *keyword : KEYWORDS) list += (list.empty() ? "" : ", ") + std::string(keyword);
+  return list;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -86,8 +104,7 @@ void FixSurfaceStats::parse(int narg, char **arg)
     else if (keyword == "energy") energy_ = range(arguments, "energy");
     else if (keyword == "stats_start") start_ = arguments.nonNegative("stats_start", DBL_MAX);
     else
-      arguments.fail("unknown keyword '" + keyword + "'; valid keywords are mesh, wall, wear, "
-        "every, file, vtk, events, spectra, speed, energy, stats_start");
+      arguments.fail("unknown keyword '" + keyword + "'; valid keywords are " + keyword_list());
   }
   const std::pair<const char *, bool> required[] =
     {{"mesh", !meshIDs_.empty()}, {"wall", !wallID_.empty()}, {"file", !path_.empty()}};
@@ -113,7 +130,11 @@ void FixSurfaceStats::parse_wear(FixArguments &arguments)
   wear_ = name;
   try {
     std::vector<std::string> words = arguments.rest();
-    words.resize(grainjet::wear::coefficientWords(name, words));
+    const std::size_t own = grainjet::wear::coefficientWords(name, words);
+    if (own < words.size() && !is_keyword(words[own]))
+      arguments.fail("wear " + name + " has no coefficient '" + words[own] + "', nor is that a keyword of the fix; it has "
+        + describe(grainjet::wear::findWearLaw(name).coefficients()));
+    words.resize(own);
     for (const std::string &word : words) wear_ += " " + arguments.word(word);
     law_ = grainjet::wear::makeWearLaw(name, words);
   } catch (const std::invalid_argument &fault) {

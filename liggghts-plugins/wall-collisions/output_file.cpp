@@ -21,7 +21,12 @@ namespace grainjet {
 
 static std::string cannot_write(const std::string &path)
 {
-  return "cannot write file '" + path + "': " + strerror(errno);
+  const int reason = errno;
+  const std::size_t slash = path.rfind('/');
+  std::string text = "cannot write file '" + path + "': " + strerror(reason);
+  if (reason == ENOENT && slash != std::string::npos)
+    text += "; make the folder '" + path.substr(0, slash) + "' first";
+  return text;
 }
 
 /* ---------------------------------------------------------------------- */

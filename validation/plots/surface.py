@@ -97,10 +97,11 @@ def draw_spectrum(axes, rows, name):
     axes.stairs(share/width, numpy.append(low, high[-1]), fill=True, alpha=0.6)
     if logarithmic:
         axes.set_xscale("log")
-        axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
         seen = numpy.flatnonzero(particles)
         if len(seen):
             axes.set_xlim(low[seen[0]], high[seen[-1]])
+        # within a decade or two the axis has no number but at minor ticks
+        axes.xaxis.set_minor_formatter(matplotlib.ticker.LogFormatterSciNotation(minor_thresholds=(2, 0.5)))
     axes.set(xlabel=SPECTRA.get(name, name), ylabel="share per decade" if logarithmic else "share per degree", ylim=(0, None))
     axes.grid(alpha=0.3)
 

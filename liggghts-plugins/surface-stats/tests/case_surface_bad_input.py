@@ -60,7 +60,7 @@ class SurfaceBadInput(SurfaceCase):
             (f"{LINE} wear archard K 1e-4", ("wear archard", "'hardness' missing")),
             (f"{LINE} wear archard K 1e-4 hardness", ("wear archard", "'hardness' has no value")),
             (f"{LINE} wear archard K nan hardness 1e9", ("wear archard", "'K' must be a number")),
-            (f"{LINE} wear archard hardness 1e9 K 1e-4 hardnes 1e9", ("unknown keyword 'hardnes'",)),
+            (f"{LINE} wear archard hardness 1e9 K 1e-4 hardnes 1e9", ("wear archard has no coefficient 'hardnes'", "it has K (")),
             (f"{LINE} wear finnie k 1e-9 wear finnie k 1e-9", ("'wear' is given twice",)),
             (f"{LINE} vtk map.stl", ("must end with .vtp or .vtk",)),
             (f"{LINE} vtk maps*/a.vtp", ("may have one *, in the name",)),

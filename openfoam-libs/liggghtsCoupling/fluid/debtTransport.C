@@ -43,10 +43,13 @@ void Foam::debtTransport::scale
     const scalar factor
 )
 {
-    debts.momentum[celli] *= factor;
+    // Nothing is 0, not -0: a run that is continued would differ in the sign
+    vector& momentum = debts.momentum[celli];
+    momentum = factor == 0 ? vector::zero : factor*momentum;
     if (debts.energy)
     {
-        (*debts.energy)[celli] *= factor;
+        scalar& energy = (*debts.energy)[celli];
+        energy = factor == 0 ? 0 : factor*energy;
     }
 }
 

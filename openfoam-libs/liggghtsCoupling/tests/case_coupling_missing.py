@@ -127,7 +127,7 @@ class Missing(grainjet.Case):
         folder = self.first_run()
         shutil.rmtree(folder / LAST / "uniform")
         for name in ("voidFraction", "particleVelocity", "dragCoefficient", "particleMomentumSource",
-                     "particleMomentumOwed"):
+                     "particleMomentumOwed", "momentumOfLostGrains"):
             (folder / LAST / name).unlink()
         self.assertRefused(folder, "grains of time 0.0004 are missing", "balance.dat")
         # as the message says: without the trace it is another flow to begin in
