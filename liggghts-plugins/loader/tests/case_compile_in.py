@@ -4,7 +4,7 @@
 # processors: 2
 """The plugins' styles can be compiled into a LIGGGHTS built from source instead.
 
-What LIGGGHTS' own build does is done here with the plugins' files: copy them into one folder,
+What LIGGGHTS' own build does is done here with the files of the plugins and of what they share: copy them into one folder,
 collect the headers with a style block, compile, enter the styles into a table as the host's
 constructors do. Nothing of the loader and no registration file takes part. The styles found that way
 must be those the plugin files bring.
@@ -19,6 +19,9 @@ import grainjet
 from grainjet import host_library
 
 PLUGINS = grainjet.ROOT / "liggghts-plugins"
+
+# what several plugins share
+SHARED = [PLUGINS / "wall-collisions"]
 
 # as in the constructors of LIGGGHTS' Modify and Input
 TABLE = """
@@ -61,11 +64,12 @@ class CompileIn(grainjet.Case):
         src.mkdir()
         registered = sorted(PLUGINS.glob("*/*plugin.cpp"))
         self.assertGreaterEqual(len(registered), 3, registered)
-        for registration in registered:
+        for folder in [*(registration.parent for registration in registered), *SHARED]:
             for pattern in ("*.h", "*.cpp"):
-                for path in registration.parent.glob(pattern):
+                for path in folder.glob(pattern):
                     self.assertFalse((src / path.name).exists(), f"two files are called {path.name}")
                     shutil.copy(path, src)
+        for registration in registered:
             (src / registration.name).unlink()
 
         for kind, pattern in (("fix", "fix_*.h"), ("command", "*.h")):

@@ -111,7 +111,7 @@ TEST(LogHistogram, SpectrumOfAnExponentialLaw)
   for (double x : exponential(n, mean, 5)) h.add(x);
   const auto below = [mean](double x) { return -std::expm1(-x / mean); };
   double chi2 = 0.0, integral = 0.0;
-  const auto term = [n, &chi2](double weight, double probability) {
+  const auto term = [&chi2](double weight, double probability) {
     chi2 += (weight - n * probability) * (weight - n * probability) / (n * probability);
   };
   term(h.below(), below(h.edge(0)));
