@@ -32,21 +32,24 @@ class CollisionPlace : protected Pointers {
   // Is this point inside? A point beyond a periodic boundary is brought back into the box first
   bool holds(double *x) const;
 
-  // m3, of the whole and of each slab, within the box. On all ranks. The volume of a region is that of the cubes
-  // of a fine grid whose centres lie in it, exact for a block
+  // m3, of the whole and of each slab, within the box. On all ranks. The volume of a region is that of the cells
+  // of a fine grid about it, of which a random point each lies in it; exact for a block
   const std::vector<double> &volumes();
+
+  // Style and extent at rest, as attach() has found them; empty for everywhere
+  const std::string &shape() const { return shape_; }
 
  private:
 
-  std::string id_;
+  std::string id_, shape_;
   grainjet::AxisBins bins_;
   class Region *region_;        // NULL: everywhere
   bool changes_;
   std::vector<double> volumes_;
   double box_[6];               // of these volumes
 
-  double volume(int slab);
-  double inside(const double *low, const double *high) const;
+  double volume(double from, double to, int layers);
+  double inside(const std::vector<class Region *> &parts, const double *low, const double *high, const int *n) const;
 };
 
 }

@@ -16,7 +16,8 @@ using Cell = CollisionStatistics::Cell;
 // a constant: the division 0/0 would end a run in OpenFOAM, which traps invalid operations
 static const double UNDEFINED = std::numeric_limits<double>::quiet_NaN();
 
-static double ratio(double a, double b) { return b > 0.0 ? a / b : UNDEFINED; }
+// b may be undefined, which an ordinary comparison traps there as well
+static double ratio(double a, double b) { return std::isgreater(b, 0.0) ? a / b : UNDEFINED; }
 
 /* ---------------------------------------------------------------------- */
 

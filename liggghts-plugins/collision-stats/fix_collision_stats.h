@@ -106,6 +106,7 @@ class FixCollisionStats : public Fix, private ContactObserver {
   std::string check_files() const;
   std::vector<std::string> paths() const;
   std::vector<double> settings() const;
+  std::vector<std::string> names() const;
 };
 
 }

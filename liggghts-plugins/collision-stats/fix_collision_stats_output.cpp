@@ -17,6 +17,7 @@
 #include "dump.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "modify.h"
 #include "output.h"
 
@@ -162,10 +163,10 @@ std::string FixCollisionStats::write_file(int which, const std::string &columns,
 /* ----------------------------------------------------------------------
    What a run has found so far is on disk when its restart file is.
 
-   restart data: size, FORMAT, start_, clock_, begin_, samples_, settings, region (length and letters), statistics
+   restart data: size, FORMAT, start_, clock_, begin_, samples_, settings, names (length and letters each), statistics
 ------------------------------------------------------------------------- */
 
-static const double FORMAT = 1.0;
+static const double FORMAT = 2.0;
 
 std::vector<double> FixCollisionStats::settings() const
 {
@@ -174,6 +175,12 @@ std::vector<double> FixCollisionStats::settings() const
   for (const grainjet::SpectrumBins &s : spectra_)
     for (double x : {s.least, s.most, static_cast<double>(s.count)}) list.push_back(x);
   return list;
+}
+
+// group, region and its shape
+std::vector<std::string> FixCollisionStats::names() const
+{
+  return {group->names[igroup], regionID_, place_->shape()};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -185,8 +192,10 @@ void FixCollisionStats::write_restart(FILE *fp)
   if (comm->me != 0) return;
   std::vector<double> list = {0.0, FORMAT, start_, clock_, begin_, samples_};
   for (double x : settings()) list.push_back(x);
-  list.push_back(static_cast<double>(regionID_.size()));
-  list.insert(list.end(), regionID_.begin(), regionID_.end());
+  for (const std::string &name : names()) {
+    list.push_back(static_cast<double>(name.size()));
+    list.insert(list.end(), name.begin(), name.end());
+  }
   const std::vector<double> statistics = statistics_->pack();
   list.insert(list.end(), statistics.begin(), statistics.end());
   list[0] = static_cast<double>(list.size());
@@ -212,11 +221,21 @@ void FixCollisionStats::restart(char *buf)
   const std::vector<double> mine = settings();
   if (!std::equal(mine.begin(), mine.end(), next)) fail("the restart file holds statistics of other bins or spectra" + remedy);
   next += mine.size();
-  const std::size_t length = static_cast<std::size_t>(*next++);
-  const std::string region(next, next + length);
-  next += length;
-  if (region != regionID_)
-    fail("the restart file holds statistics of " + (region.empty() ? "no region" : "region '" + region + "'") + remedy);
+  const std::string fault = place_->attach();
+  if (!fault.empty()) fail(fault);
+  const std::vector<std::string> here = names();
+  std::vector<std::string> there;
+  for (std::size_t n = 0; n < here.size(); n++) {
+    const std::size_t length = static_cast<std::size_t>(*next++);
+    there.emplace_back(next, next + length);
+    next += length;
+  }
+  if (there[0] != here[0])
+    fail("the restart file holds statistics of group '" + there[0] + "', not '" + here[0] + "'" + remedy);
+  if (there[1] != here[1])
+    fail("the restart file holds statistics of " + (there[1].empty() ? "no region" : "region '" + there[1] + "'") + remedy);
+  if (there[2] != here[2])
+    fail("the restart file holds statistics of a region '" + there[1] + "' that was " + there[2] + ", not " + here[2] + remedy);
   begin_ = list[4];
   samples_ = list[5];
   if (comm->me == 0 && !statistics_->unpack(std::vector<double>(next, end)))

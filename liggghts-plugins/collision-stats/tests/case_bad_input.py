@@ -107,6 +107,19 @@ class BadInput(CollisionCase):
         self.assertEqual(gone.output.count("ERROR"), 1)
         self.assertEqual(again.code, 0, again)
 
+    def test_mesh_tet(self):
+        """On two ranks refused as a region and as a member, not where it is a region of something else."""
+        tet = "region t mesh/tet file tet.vtk scale 1. move 0. 0. 0. rotate 0. 0. 0. units box\nregion s sphere 0 0 0 0.001 units box\n"
+        path = self.folder / "tet.vtk"
+        path.write_text("# vtk DataFile Version 2.0\none tetrahedron\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0\n0.01 0 0\n"
+                        "0 0.01 0\n0 0 0.01\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
+        tet = REGION + tet.replace("tet.vtk", str(path))
+        words = ("'t' is of style mesh/tet", "one rank")
+        self.refuse([(tet + line(region="t"), words), (tet + "region u union 2 t s\n" + line(region="u"), words),
+                     (tet + "region u union 2 t s\nregion v intersect 2 r u\n" + line(region="v"), words)], ranks=2)
+        result, = self.side_by_side([self.script("run 1", stats=tet + "region u union 2 r s\n" + line(region="u"))], ranks=2)
+        self.assertEqual(result.code, 0, result)
+
     def test_units(self):
         self.refuse([(line(region=None), ("requires units si, not cgs",))], units="cgs")
 

@@ -131,6 +131,10 @@ class RanksAndRestart(CollisionCase):
                 (("other bins or spectra", "stats_start"), lambda s: s.replace("0.016 4", "0.016 5")),
                 (("other bins or spectra",), lambda s: s.replace("1e-4 12", "1e-4 13")),
                 (("region 'half'",), lambda s: s.replace("region half ", "")),
+                (("group 'all', not 'ones'",), lambda s: "group ones type 1\n" + s.replace("fix k all", "fix k ones")),
+                (("region 'half' that was block", "0.002 0.008", "not block", "0.003 0.008"),
+                 lambda s: "region half delete\n" + REGION.replace("0.002", "0.003") + "\n" + s),
+                (("not cylinder",), lambda s: "region half delete\nregion half cylinder z 0 0 0.01 INF INF\n" + s),
         ):
             result = self.liggghts(self.script("run 1", stats=f"{REGION}\n" + change(STATS.format(name="x")), types=2,
                                                read="read_restart r"), 2, check=False)

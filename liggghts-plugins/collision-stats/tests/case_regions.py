@@ -123,6 +123,49 @@ class Regions(CollisionCase):
         self.assertEqual(self.counts(rows), {("all", "all"): 2, ("all", "1-1"): 1, ("all", "1-2"): 1})
         self.assertAlmostEqual(rows["all", "all"]["volume"] / (4 / 3 * math.pi * 0.0035 ** 3), 1, delta=1e-2)
 
+    def volumes(self, regions, more="", stats="", ranks=0):
+        """{region: row of everything} of regions that many fixes look at in one run"""
+        names = {name: f"v_{name}.csv" for name in regions}
+        text = more + "\n" + "\n".join(f"region {name} {shape}\n" for name, shape in regions.items() if shape)
+        text += "".join(f"fix f{name} all collision/stats contact c region {name} {stats} file {file}\n" for name, file in names.items())
+        self.meet([((0.003, 0.005, 0.01), (1, 1), GAP)], "", steps=40, more=text, ranks=ranks)
+        return {name: self.rows(file) for name, file in names.items()}
+
+    def test_volume_of_what_moves(self):
+        """Small against the box, turned, with a radius that varies: a grid about where it is. A block along the grid is
+        exact; else 80^3 cells, of which some 3e4 are cut: 1e-3 is four standard deviations."""
+        turned, ball = (0.003, 0.004, 0.001), 4 / 3 * math.pi
+        v = self.volumes({
+            "block": "block 0.003 0.0033 0.004 0.0043 0.005 0.0053 units box move v_dx NULL v_dx",
+            "ball": "sphere 0.003 0.003 0.003 0.00003 units box move NULL v_dx NULL",
+            "turned": "block 0.01 0.013 0.008 0.012 0.009 0.01 units box rotate v_angle 0.01 0.01 0.01 1 2 3",
+            "grows": "sphere 0.01 0.01 0.01 v_r units box",
+            "pipe": "cylinder z 0.01 0.01 v_r 0.005 0.006 units box",
+            "edge": "block 0.0195 0.0199 0.004 0.0043 0.005 0.0053 units box move v_dx NULL NULL",
+            "both": "union 2 block grows units box"},
+            "variable dx equal step*1e-5\nvariable angle equal step*0.02\nvariable r equal 0.001+step*1e-5", ranks=2)
+        volume = {name: rows["all", "all"]["volume"] for name, rows in v.items()}
+        self.assertAlmostEqual(volume["block"] / 0.0003 ** 3, 1, delta=1e-9)
+        self.assertAlmostEqual(volume["ball"] / (ball * 0.00003 ** 3), 1, delta=1e-3)
+        self.assertAlmostEqual(volume["turned"] / math.prod(turned), 1, delta=3e-3, msg="a sixth of its box")
+        self.assertAlmostEqual(volume["grows"] / (ball * 0.0014 ** 3), 1, delta=1e-3)
+        self.assertAlmostEqual(volume["pipe"] / (math.pi * 0.0014 ** 2 * 0.001), 1, delta=1e-3)
+        self.assertAlmostEqual(volume["edge"] / (0.0001 * 0.0003 ** 2), 1, delta=1e-9, msg="within the box")
+        self.assertAlmostEqual(volume["both"] / (volume["block"] + ball * 0.0014 ** 3), 1, delta=1e-3)
+
+    def test_volume_of_what_is_combined(self):
+        """Bodies far apart and overlapping; the slabs add up to the whole, the last digit of ten aside."""
+        a, b, c = 0.0007 ** 3, 4 / 3 * math.pi * 0.0003 ** 3, 0.004 ** 3
+        v = self.volumes({"apart": "union 2 a b", "over": "union 3 a c d", "cut": "intersect 2 c d"},
+                         "region a block 0.003 0.0037 0.003 0.0037 0.003 0.0037 units box\nregion b sphere 0.018 0.017 0.016 0.0003 units box\n"
+                         "region c block 0.008 0.012 0.008 0.012 0.008 0.012 units box\n"
+                         "region d block 0.011 0.015 0.011 0.015 0.011 0.015 units box", stats="bins z 0.003 0.018 7")
+        for name, exact, accuracy in (("apart", a + b, 1e-3), ("over", a + 2 * c - 0.001 ** 3, 1e-3), ("cut", 0.001 ** 3, 1e-9)):
+            with self.subTest(name):
+                whole = v[name]["all", "all"]["volume"]
+                self.assertAlmostEqual(whole / exact, 1, delta=accuracy)
+                self.assertAlmostEqual(sum(v[name][f"bin{n}", "all"]["volume"] for n in range(1, 8)) / whole, 1, delta=1e-8)
+
     def test_group(self):
         pairs = [((0.005, 0.01, 0.01), (1, 1), GAP), ((0.01, 0.01, 0.01), (1, 2), GAP), ((0.015, 0.01, 0.01), (2, 2), GAP)]
         rows = self.meet(pairs, "spectra s.csv",

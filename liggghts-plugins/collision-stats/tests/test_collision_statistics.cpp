@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <set>
 #include <string>
@@ -163,4 +164,18 @@ TEST(CollisionTables, Particles)
   EXPECT_NEAR(value("frequency_per_particle_1", 1) / (2 * (3 * 16 + 1) / (2.0 * (2 * 8 + 6))), 1.0, 1e-9);
   EXPECT_EQ(table[2][3], "1-1");
   EXPECT_DOUBLE_EQ(value("frequency_per_particle_1", 2) / value("frequency_per_grain_1", 2), 2.0);
+}
+
+// before the first count of grains: a program that traps invalid operations, as OpenFOAM does, goes on
+TEST(CollisionTables, NothingCountedYetIsNoInvalidOperation)
+{
+  CollisionStatistics s = statistics(2, 2);
+  CollisionSurroundings around;
+  around.volumes.assign(3, 0.0);
+  around.touching.assign(s.cells(), 0.0);
+  around.factor = {2.0, 1.0};
+  std::feclearexcept(FE_ALL_EXCEPT);
+  const std::string text = CollisionTables::totals(s, around) + CollisionTables::spectra(s);
+  EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+  EXPECT_NE(text.find("nan"), std::string::npos);
 }
