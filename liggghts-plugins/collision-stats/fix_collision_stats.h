@@ -18,6 +18,7 @@ FixStyle(collision/stats,FixCollisionStats)
 #include "collision-stats/collision_place.h"
 #include "collision-stats/collision_statistics.h"
 #include "hertz-cg/contact_exchange.h"
+#include "wall-collisions/file_writer.h"
 
 #include <functional>
 #include <memory>
@@ -43,7 +44,7 @@ namespace LAMMPS_NS {
    Global vector: 1 collisions that are over; 2 going on; 3 lost (a grain was deleted or displaced in
    contact); 4 energy dissipated by those that are over [J]; 5 energy that those going on have taken from the
    motion so far, a part of which is in their springs [J].                                      */
-class FixCollisionStats : public Fix, private ContactObserver {
+class FixCollisionStats : public Fix, public grainjet::FileWriter, private ContactObserver {
  public:
 
   FixCollisionStats(class LAMMPS *, int, char **);
@@ -104,7 +105,7 @@ class FixCollisionStats : public Fix, private ContactObserver {
   void write();
   std::string write_file(int which, const std::string &columns, const std::string &text);
   std::string check_files() const;
-  std::vector<std::string> paths() const;
+  std::vector<std::string> paths() const override;
   std::vector<double> settings() const;
   std::vector<std::string> names() const;
 };

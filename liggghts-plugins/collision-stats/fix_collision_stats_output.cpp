@@ -60,14 +60,8 @@ std::string FixCollisionStats::check_files() const
       if (OutputFile::same(own[p], own[q]))
         return "'" + own[p] + "' and '" + own[q] + "' are one file; 'file' and 'spectra' must be two";
 
-  for (int n = 0; n < modify->nfix; n++) {
-    const FixCollisionStats *other = dynamic_cast<const FixCollisionStats *>(modify->fix[n]);
-    if (!other || other == this) continue;
-    for (const std::string &path : own)
-      for (const std::string &taken : other->paths())
-        if (OutputFile::same(path, taken))
-          return "file '" + path + "' is that of fix collision/stats (ID " + other->id + "); give another path";
-  }
+  const std::string shared = check_others(*modify, this, own);
+  if (!shared.empty()) return shared;
   for (int n = 0; n < output->ndump; n++) {
     const char *taken = output->dump[n]->*member(grainjet::PathOfDump());
     for (const std::string &path : own)

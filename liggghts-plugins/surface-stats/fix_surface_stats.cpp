@@ -36,7 +36,8 @@ static const int MOST_BINS = 10000;
 
 FixSurfaceStats::FixSurfaceStats(LAMMPS *lmp, int narg, char **arg) :
   FixWallCollisions(lmp, narg, arg, grainjet::Collision::SIZE),
-  speed_{1e-3, 1e3, 60}, energy_{1e-15, 1e3, 180}, placed_(false), mapped_(-1)
+  speed_{1e-3, 1e3, 60}, energy_{1e-15, 1e3, 180}, placed_(false), mapped_(-1),
+  mappedTime_(-1.0)
 {
   parse(narg, arg);
   surface_.reset(new MeshSurface(lmp, wallID_, meshIDs_));

@@ -84,6 +84,7 @@ class FixSurfaceStats : public FixWallCollisions {
   std::unique_ptr<grainjet::ImpactSpectra> spectra_;
   std::unique_ptr<grainjet::MapSeries> series_;    // empty: no vtk
   bigint mapped_;                   // step of the latest map
+  double mappedTime_;               // s, its time: reset_timestep can bring a step again
   std::vector<int> restarted_;      // triangles of the meshes in the restart file
   std::vector<std::vector<double> > corners_, areas_;    // by mesh: m, m2
 

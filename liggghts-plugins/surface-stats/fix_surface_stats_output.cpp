@@ -98,8 +98,8 @@ void FixSurfaceStats::write()
     SurfaceStatistics statistics = *statistics_;
     for (const SlidingPiece &piece : slid) statistics.add(piece);
     fault = write_table(statistics, now);
-    if (fault.empty() && !vtkPath_.empty() && update->ntimestep != mapped_)
-      fault = write_map(statistics);
+    const bool mapped = update->ntimestep == mapped_ && clock_ == mappedTime_;
+    if (fault.empty() && !vtkPath_.empty() && !mapped) fault = write_map(statistics);
   }
   agree(fault);
 }
@@ -170,6 +170,7 @@ std::string FixSurfaceStats::write_map(const SurfaceStatistics &statistics)
     series_->xml() ? map.vtp(clock_) : map.vtk(clock_));
   if (!fault.empty()) return fault;
   mapped_ = update->ntimestep;
+  mappedTime_ = clock_;
   series_->note(step, clock_);
   return series_->series() ? replace(series_->index_path(), series_->index_line(), series_->index()) : "";
 }

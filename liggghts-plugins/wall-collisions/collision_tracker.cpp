@@ -67,16 +67,21 @@ void CollisionTracker::skip_present(double **forces)
 }
 
 /* ----------------------------------------------------------------------
-   Only between runs can a grain be put elsewhere while it touches; then all are looked at.
+   Only between runs can a grain be put elsewhere while it touches, or leave the group; then all
+   are looked at. The collision of a grain that has left is over without a result, as if it were
+   deleted; the sliding that it has done stays.
 ------------------------------------------------------------------------- */
 
-void CollisionTracker::find_near(double **forces)
+void CollisionTracker::find_near(double **forces, double time)
 {
   const bool look = !elsewhere_ && !seen_;
   surface_.reorder();
   near_.clear();
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit_)) continue;
+    if (!(atom->mask[i] & groupbit_)) {
+      if (thorough_) leave(i, time);
+      continue;
+    }
     if (surface_.comes_near(i) || (thorough_ && store_.find(i)))
       near_.push_back(i);
     else if (look && (forces[i][0] != 0.0 || forces[i][1] != 0.0 || forces[i][2] != 0.0))
@@ -89,7 +94,7 @@ void CollisionTracker::find_near(double **forces)
 
 void CollisionTracker::step(double **forces, double time)
 {
-  if (rebuild_) find_near(forces);
+  if (rebuild_) find_near(forces, time);
   for (int i : near_) {
     const double *force = forces[0] + 3 * i;    // one block, as all arrays of LIGGGHTS
     const bool pushed = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
@@ -201,6 +206,15 @@ Collision &CollisionTracker::begin(int i, double time, const WatchedSurface::Tou
   return c;
 }
 
+/* ---------------------------------------------------------------------- */
+
+void CollisionTracker::leave(int i, double time)
+{
+  const Collision *c = store_.find(i);
+  if (c && c->workHere > 0.0) slid_.push_back(piece(i, *c, time));
+  store_.end(i);
+}
+
 /* ----------------------------------------------------------------------
    The surface has gone on since it was touched last: its velocity is that of this step
 ------------------------------------------------------------------------- */
@@ -208,7 +222,6 @@ Collision &CollisionTracker::begin(int i, double time, const WatchedSurface::Tou
 void CollisionTracker::finish(int i, double time)
 {
   const Collision &c = *store_.find(i);
-  if (c.workHere > 0.0) slid_.push_back(piece(i, c, time));
   if (counts(c) && surface_.region(c) >= 0) {
     const double cg = force->cg(atom->type[i]);
     FinishedCollision collision;
@@ -224,7 +237,7 @@ void CollisionTracker::finish(int i, double time)
     collision.radius = atom->radius[i];
     finished_.push_back(collision);
   }
-  store_.end(i);
+  leave(i, time);
 }
 
 /* ---------------------------------------------------------------------- */

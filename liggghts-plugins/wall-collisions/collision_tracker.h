@@ -80,11 +80,12 @@ class CollisionTracker : protected Pointers {
   bool counts(const grainjet::Collision &c) const { return c.time >= 0 && c.time >= start_; }
   double kinetic_energy(int, const double *velocity) const;
   void count(const grainjet::Collision &, std::vector<double> &) const;
-  void find_near(double **forces);
+  void find_near(double **forces, double time);
   grainjet::Collision &begin(int, double time, const WatchedSurface::Touch &);
   void slide(int, const double *force, const WatchedSurface::Touch &, grainjet::Collision &) const;
   grainjet::SlidingPiece piece(int, const grainjet::Collision &, double time) const;
   void finish(int, double time);
+  void leave(int, double time);
 };
 
 }

@@ -12,6 +12,7 @@
 #include "collision_store.h"
 #include "collision_tracker.h"
 #include "events_file.h"
+#include "file_writer.h"
 #include "wall_forces.h"
 #include "watched_surface.h"
 
@@ -33,7 +34,7 @@ namespace LAMMPS_NS {
    Collisions in progress migrate and restart with their grains; finished ones are
    gathered on rank 0, in the order of time and ID, so that the result does not depend
    on the number of ranks.                                                            */
-class FixWallCollisions : public Fix {
+class FixWallCollisions : public Fix, public grainjet::FileWriter {
  public:
 
   FixWallCollisions(class LAMMPS *, int, char **, int kept);
@@ -165,7 +166,7 @@ class FixWallCollisions : public Fix {
 
   void find_wall();
   void warn_if_beside();
-  std::vector<std::string> paths() const;
+  std::vector<std::string> paths() const override;
   std::string check_files() const;
   std::string check_dumps() const;
   std::string open_events();

@@ -15,6 +15,7 @@
 #include "comm.h"
 #include "dump.h"
 #include "error.h"
+#include "group.h"
 #include "modify.h"
 #include "output.h"
 
@@ -38,8 +39,9 @@ struct DumpPath {
 
 template struct grainjet::Expose<grainjet::DumpPath, &Dump::filename>;
 
-// Of the restart data, in a place where versions without it have stats_start >= 0
-static const double FORMAT = -2.0;
+// Of the restart data, in a place where versions without it have stats_start >= 0. Version 0.6 wrote
+// no group.
+static const double FORMAT = -3.0, FORMAT_WITHOUT_GROUP = -2.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -85,15 +87,8 @@ std::string FixWallCollisions::check_files() const
         return "'" + own[p] + "' and '" + own[q] + "' are one file; each output needs a path of "
           "its own, and all but 'events' the same with .new as well";
 
-  for (int ifix = 0; ifix < modify->nfix; ifix++) {
-    const FixWallCollisions *other = dynamic_cast<const FixWallCollisions *>(modify->fix[ifix]);
-    if (!other || other == this) continue;
-    for (const std::string &path : own)
-      for (const std::string &taken : other->paths())
-        if (OutputFile::same(path, taken))
-          return "file '" + path + "' is that of fix " + other->style + " (ID " + other->id
-            + "); give another path";
-  }
+  const std::string shared = check_others(*modify, this, own);
+  if (!shared.empty()) return shared;
 
   for (const std::string &path : own) {
     std::string fault = started_ ? "" : OutputFile::check_kind(path);
@@ -202,7 +197,7 @@ std::string FixWallCollisions::unpack_text(const double *&next)
    What a run has found so far is on disk when its restart file is, whatever ends it then.
 
    restart data: size, FORMAT, start_, clock_, begin_, bytes of the events file, what is
-   watched, wall and events file (texts), the surface, collisions begun by region,
+   watched, wall, events file and group (texts), the surface, collisions begun by region,
    statistics
 ------------------------------------------------------------------------- */
 
@@ -216,6 +211,7 @@ void FixWallCollisions::write_restart(FILE *fp)
   list.insert(list.end(), watched.begin(), watched.end());
   pack_text(list, wallID_);
   pack_text(list, eventsPath_);
+  pack_text(list, group->names[igroup]);
   for (const std::vector<double> &part : {pack_surface(), begun_, pack_statistics()})
     list.insert(list.end(), part.begin(), part.end());
   list[0] = list.size();
@@ -231,21 +227,24 @@ void FixWallCollisions::write_restart(FILE *fp)
 void FixWallCollisions::restart(char *buf)
 {
   const double *list = reinterpret_cast<const double *>(buf);
-  if (list[1] != FORMAT)
+  if (list[1] != FORMAT && list[1] != FORMAT_WITHOUT_GROUP)
     fail("the restart file was written by another version of Grainjet; go on with that, or give "
       "this fix another ID");
   anew_ = start_ != list[2];
   const double *next = list + 6;
   std::string difference = compare_watched(next);
   const std::string wall = unpack_text(next), path = unpack_text(next);
+  const std::string own = group->names[igroup];
+  const std::string grains = list[1] == FORMAT ? unpack_text(next) : own;
   if (difference.empty() && wall != wallID_) difference = "another wall ('" + wall + "')";
+  unknown_ = !difference.empty();
+  if (!unknown_ && grains != own) difference = "another group ('" + grains + "')";
 
   clock_ = list[3];
   observed_ = true;
-  if (!difference.empty()) {
-    if (!anew_)
-      fail("the restart file holds statistics of " + difference + "; use that, or another fix ID");
-    unknown_ = true;
+  if (!difference.empty() && !anew_)
+    fail("the restart file holds statistics of " + difference + "; use that, or another fix ID");
+  if (unknown_) {
     begin_ = std::max(clock_, start_);
     return;
   }

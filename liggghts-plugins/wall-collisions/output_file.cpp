@@ -113,6 +113,42 @@ std::string OutputFile::check_folder(const std::string &path)
   return "";
 }
 
+/* ----------------------------------------------------------------------
+   A path as a list of what stands at each place: a star is one digit and then any number of them
+------------------------------------------------------------------------- */
+
+static const char DIGIT = '\1', DIGITS = '\2';
+
+static std::string tokens(const std::string &path)
+{
+  std::string list;
+  for (const char c : path) {
+    if (c == '*') (list += DIGIT) += DIGITS;
+    else list += c;
+  }
+  return list;
+}
+
+/* ----------------------------------------------------------------------
+   Is there a path that is both, from places i and j on?
+------------------------------------------------------------------------- */
+
+static bool is_digit(char c)
+{
+  return c == DIGIT || (c >= '0' && c <= '9');
+}
+
+static bool overlap(const std::string &p, const std::string &q, std::size_t i = 0, std::size_t j = 0)
+{
+  const char a = i < p.size() ? p[i] : '\0', b = j < q.size() ? q[j] : '\0';
+  if (a == DIGITS)
+    return overlap(p, q, i + 1, j) || ((is_digit(b) || b == DIGITS) && overlap(p, q, i, j + 1));
+  if (b == DIGITS) return overlap(p, q, i, j + 1) || (is_digit(a) && overlap(p, q, i + 1, j));
+  if (a == '\0' || b == '\0') return a == b;
+  const bool alike = a == b || (a == DIGIT && is_digit(b)) || (b == DIGIT && is_digit(a));
+  return alike && overlap(p, q, i + 1, j + 1);
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool OutputFile::same(const std::string &p, const std::string &q)
@@ -121,7 +157,7 @@ bool OutputFile::same(const std::string &p, const std::string &q)
   if (stat(p.c_str(), &first) == 0 && stat(q.c_str(), &second) == 0
       && same_node(first, second))
     return true;
-  return place(p) == place(q);
+  return overlap(tokens(place(p)), tokens(place(q)));
 }
 
 /* ---------------------------------------------------------------------- */

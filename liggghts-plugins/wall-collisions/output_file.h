@@ -32,7 +32,8 @@ namespace OutputFile {
   // a file could be created there
   std::string check_folder(const std::string &path);
 
-  // both are the same file, however they are written, or would be
+  // Both are the same file, however they are written, or would be. A star stands for the digits of
+  // any step, in either.
   bool same(const std::string &, const std::string &);
 
   // where replace() keeps the text until it is whole

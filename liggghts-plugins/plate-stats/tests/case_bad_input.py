@@ -6,6 +6,8 @@ or settings that it cannot work with. One error on every rank, before any step."
 # processors: 2
 # label: long
 
+import re
+import struct
 import unittest
 
 from plate_case import D, PLANE, PLATE, PlateCase
@@ -110,6 +112,8 @@ class BadInput(PlateCase):
             self.liggghts(self.script(PLATE.replace(old, new).replace("fix p", "fix q") + "\nrun 10",
                                       read=read, wall=PLANE + second))
             (self.folder / "plate.csv").write_text(table)
+        one = "group one id 1 2\n" + PLATE.replace("fix p all", "fix p one")
+        self.refused(one, "another group ('all')", "another fix ID", read=read, ranks=2)
         anew = PLATE.replace("centre 0 0 0", "centre 0.0014 0 0") + " stats_start 0.0001"
         self.liggghts(self.script(f"{anew}\nrun 2000", read=read))
         event, = self.events()
@@ -121,6 +125,25 @@ class BadInput(PlateCase):
         self.liggghts(self.script(f"{PLATE}\nrun 1000\nwrite_restart r.restart", wall=PLANE))
         self.liggghts(self.script(f"{again}\nrun 2000", read=read))
         self.assertEqual(self.table()["all"]["collisions"], 3)
+        # version 0.6 wrote no group; what touches outside of this one is over without a result
+        self.without_group("r.restart", "old.restart")
+        for line, row in ((PLATE, (3, 0, 0)), (one, (2, 0, 1))):
+            self.liggghts(self.script(f"{line}\nrun 2000", read="read_restart old.restart"), 2)
+            found = self.table()["all"]
+            self.assertEqual((found["collisions"], found["touching"], found["deleted"]), row)
+
+    def without_group(self, name, old):
+        """A restart file as version 0.6 wrote it: bytes of the fix's part, its size and format, no group."""
+        data = (self.folder / name).read_bytes()
+        group = struct.pack("<4d", 3, *b"all")
+        at, = (match.start() - 12 for match in re.finditer(re.escape(struct.pack("<d", -3.0)), data)
+               if struct.unpack_from("<i", data, match.start() - 12)[0]
+               == 8 * struct.unpack_from("<d", data, match.start() - 8)[0])
+        size = struct.unpack_from("<i", data, at)[0]
+        part = data[at + 20:at + 4 + size]
+        self.assertEqual(part.count(group), 1)
+        (self.folder / old).write_bytes(data[:at] + struct.pack("<i2d", size - 32, size / 8 - 4, -2.0)
+                                        + part.replace(group, b"") + data[at + 4 + size:])
 
 
 if __name__ == "__main__":

@@ -106,6 +106,8 @@ class SurfaceBadInput(SurfaceCase):
         for line, words in ((STATS.replace("mesh m", "mesh other"), "other meshes"),
                             (STATS.replace("mesh m", "mesh m mesh other"), "other meshes, or in another order (m)")):
             self.refused(line, words, "another fix ID", read="read_restart r.restart", wall=wall(*TWO), ranks=2)
+        self.refused(f"group one id 1\n{STATS.replace('fix s all', 'fix s one')}", "another group ('all')", "another fix ID",
+                     read="read_restart r.restart", wall=wall(*TWO), ranks=2)
 
     def test_files(self):
         """What is not its own is never overwritten, and no two outputs share a file."""
@@ -128,6 +130,27 @@ class SurfaceBadInput(SurfaceCase):
         self.refused(f"{plate}\n{LINE}", "'table.csv' is that of fix plate/stats (ID p)", plugins=both, ranks=2)
         self.refused(f"{LINE.replace('fix s ', 'fix r ').replace('table', 'a')} vtk m_*.vtp\n{LINE} vtk m_*.vtp",
                      "is that of fix surface/stats (ID r)")
+        # a star stands for any step, in either name
+        other = LINE.replace("fix s ", "fix r ").replace("table", "a")
+        for first, second in (("m_*.vtp", "m_500.vtp"), ("m_500.vtp", "m_*.vtp"), ("m_1*.vtp", "m_*0.vtp")):
+            self.refused(f"{other} vtk {first}\n{LINE} vtk {second}",
+                         f"'{second}' is that of fix surface/stats (ID r), which writes '{first}'")
+        self.refused(f"{LINE} vtk m_*.vtp events m_20.vtp", "are one file")
+        for first, second in (("m_*.vtp", "m_a.vtp"), ("m_*.vtp", "m_.vtp"), ("m_*.vtp", "m*_5.vtp")):
+            self.liggghts(self.script(f"{other} vtk {first}\n{LINE} vtk {second}\nrun 0"))
+        # fix collision/stats, before and after
+        more = {"pair": "fix c all hertz/cg", "plugins": "\n".join(
+            f"plugin load {name}plugin.so" for name in ("surfacestats", "hertzcg", "collisionstats"))}
+        between = "fix k all collision/stats contact c file table.csv spectra sp.csv"
+        (self.folder / "table.csv").unlink()
+        self.refused(f"{between}\n{LINE}", "'table.csv' is that of fix collision/stats (ID k)", ranks=2, **more)
+        self.refused(f"{between.replace('table', 'k')}\n{LINE} spectra sp.csv", "'sp.csv' is that of fix collision/stats (ID k)", **more)
+        for line, words in ((between, "'table.csv' is that of fix surface/stats (ID s)"),
+                            (between.replace("table.csv", "k.csv").replace("sp.csv", "m_7.vtp"),
+                             "'m_7.vtp' is that of fix surface/stats (ID s), which writes 'm_*.vtp'")):
+            result = self.liggghts(self.script(f"{LINE} vtk m_*.vtp\n{line}\nrun 1", **more), 2, check=False)
+            self.assertFails(result, "Fix collision/stats (ID k)", words)
+            self.assertNotIn("Setting up", result.output)
         # its own files are replaced
         for _ in range(2):
             self.liggghts(self.script(f"{STATS.replace('map.vtp', 'map*.vtp')}\nrun 1000"))

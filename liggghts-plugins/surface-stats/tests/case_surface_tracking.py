@@ -174,6 +174,14 @@ class SurfaceTracking(SurfaceCase):
             print "vector $c $t $d" """), 2)
         self.assertIn("vector 0 0 1", result.output)
 
+    def test_a_step_again(self):
+        """The same step after reset_timestep is another output: the map has what the table has."""
+        self.mesh(sheet())
+        self.data([(0.0012, 0.0005, D, 0, 0, -2.0), (-0.0012, 0.0005, R + 2.0 * 9e-5, 0, 0, -2.0)])
+        self.liggghts(self.script(f"{STATS}\nrun 800\nreset_timestep 0\nrun 800"))
+        self.assertEqual(self.table()["all"]["collisions"], 2)
+        self.assertEqual(sum(self.map()["impacts"]), 2)
+
     def test_with_hertz_cg(self):
         """fix hertz/cg makes neighbour lists when it sees fit; nothing is missed: the impacts of the stock pair style."""
         self.mesh(sheet(n=9, half=0.0071, height=inclined(10)))
