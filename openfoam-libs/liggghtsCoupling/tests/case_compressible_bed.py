@@ -158,7 +158,8 @@ class GasBed(gas_box.GasCase):
         the divergence of u is, by 2/3 k div u, of k. Without the void fraction in the equation there would be e times as much in
         the bed."""
         for model, name, more in (("kEpsilon", "k", {"coefficients": "Cmu 1e-12;", "epsilon": 1e-6}),
-                                  ("kEqn", "k", {"simulation": "LES", "coefficients": "Ck 1e-12; Ce 1e-6;"}),
+                                  # Ce is of the model, from v2112 on of all LES models
+                                  ("kEqn", "k", {"simulation": "LES", "coefficients": "Ck 1e-12; Ce 1e-6;", "les_entries": "Ce 1e-6;"}),
                                   ("SpalartAllmaras", "nuTilda", {"coefficients": "Cb1 1e-12;", "nu_tilda": 1e-6})):
             with self.subTest(model=model):
                 layers, _, _ = self.run_bed(Bed(0.3, velocity=1.0), steps=200, time_step=2e-3, gas="rhoConst", gas_density=RHO,

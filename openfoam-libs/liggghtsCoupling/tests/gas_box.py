@@ -31,10 +31,10 @@ def heat_capacity(energy):
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
           tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, consistent=False, time_scheme="Euler",
-          turbulence=None, simulation="RAS", frozen=False, coefficients="", k=1.0, epsilon=1.0, nu_tilda=1e-5, **fluid):
+          turbulence=None, simulation="RAS", frozen=False, coefficients="", les_entries="", k=1.0, epsilon=1.0, nu_tilda=1e-5, **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
     and temperature, and leaves at zhi at the given pressure. Turbulence: a model of k, epsilon or nuTilda, which have these
-    values at the beginning and at zlo, and its coefficients; simulation: RAS or LES."""
+    values at the beginning and at zlo, and its coefficients; simulation: RAS or LES, which has further entries."""
     fluid["functions"] = fluid.get("functions", "") + WRITE.format(energy)
     box.write(folder, velocity=velocity, walls=walls, through=through, convection=convection, **fluid)
     thermo = thermo or ("hePsiThermo" if gas == "perfectGas" else "heRhoThermo")
@@ -79,7 +79,7 @@ PIMPLE {{ {correctors} nNonOrthogonalCorrectors 0; transonic {'yes' if transonic
     dictionaries.write_field(folder, "p", "1 -1 -2", pressure, f'".*" {{ {other} }} {outlet if through else ""}')
     dictionaries.write_field(folder, "T", "[0 0 0 1 0 0 0]", T0, f'".*" {{ {other} }} {warm if through else ""}')
     if turbulence:
-        filter_width = "delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; }" if simulation == "LES" else ""
+        filter_width = f"delta cubeRootVol; cubeRootVolCoeffs {{ deltaCoeff 1; }} {les_entries}" if simulation == "LES" else ""
         dictionaries.write(folder / "constant/turbulenceProperties",
                            f"simulationType {simulation}; {simulation} {{ {simulation}Model {turbulence}; "
                            f"turbulence {'off' if frozen else 'on'}; printCoeffs off; {filter_width} "
