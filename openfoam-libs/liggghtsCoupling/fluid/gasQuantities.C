@@ -11,6 +11,7 @@ Description
 #include "fluidQuantity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "basicThermo.H"
+#include "releases.H"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
@@ -86,7 +87,7 @@ struct speedOfSoundQuantity
     // Compressibility at constant temperature [s2/m2]
     const volScalarField& psi() const
     {
-        return fluid_.mesh().lookupObject<volScalarField>(thermo().phasePropertyName("thermo:psi"));
+        return fluid_.mesh().lookupObject<volScalarField>(releases::ofThermo("psi"));
     }
 
     virtual string missing() const override
