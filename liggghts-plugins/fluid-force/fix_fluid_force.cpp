@@ -27,7 +27,7 @@ using grainjet::FixArguments;
 
 FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  coupled_(false), properties_(lmp, this),
+  coupled_(false), uniformFluid_(), properties_(lmp, this),
   fluidVelocity_(NULL), dragCoefficient_(NULL), explicitForce_(NULL), impulse_(NULL),
   fluidForce_(NULL), startPosition_(NULL), owner_(NULL),
   nonReactingCoefficient_(NULL), nonReactingForce_(NULL), nonReactingImpulse_(NULL),
@@ -90,6 +90,8 @@ void FixFluidForce::parse(int narg, char **arg)
     arguments.fail("unknown style '" + kind + "'; valid styles are coupled, uniform");
 
   uniform_.reset(new UniformFlow(lmp, arguments));
+  const double *velocity = uniform_->velocity();
+  uniformFluid_ = {{velocity[0], velocity[1], velocity[2]}, uniform_->density(), uniform_->viscosity()};
 }
 
 /* ---------------------------------------------------------------------- */

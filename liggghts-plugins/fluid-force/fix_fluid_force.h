@@ -99,12 +99,14 @@ class FixFluidForce : public Fix {
 
   // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
   // "fluid_force_version": const char *, the version of Grainjet that layout belongs to
+  // "fluid_force_uniform": const UniformFluid *, or NULL if not in style uniform
   void *extract(const char *, int &) override;
 
  private:
 
   bool coupled_;
   std::unique_ptr<UniformFlow> uniform_;    // NULL in style coupled
+  UniformFluid uniformFluid_;               // what others ask of it
 
   // ---- values per grain; NULL where the style or the coupling has none
 

@@ -175,6 +175,7 @@ void *FixFluidForce::extract(const char *what, int &dim)
 {
   dim = 0;
   if (strcmp(what, "fluid_force_version") == 0) return const_cast<char *>(GRAINJET_VERSION);
+  if (uniform_ && strcmp(what, "fluid_force_uniform") == 0) return &uniformFluid_;
   if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
   exchangeOpen_ = true;
   refresh_exchange();

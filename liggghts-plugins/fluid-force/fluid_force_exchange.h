@@ -34,6 +34,13 @@ namespace LAMMPS_NS {
 // Columns of FluidForceExchange::owner
 enum { OWNER_RANK, OWNER_NUMBER, OWNER_PRESENT };
 
+// The fluid of style uniform: extract("fluid_force_uniform", dim), NULL in style coupled
+struct UniformFluid {
+  double velocity[3];         // m/s
+  double density;             // kg/m3
+  double viscosity;           // m2/s, kinematic
+};
+
 // What tells one restart file from all others. stamp: -1 if there is none
 struct GrainFile {
   double stamp;               // differs from file to file
@@ -105,6 +112,9 @@ struct FluidForceExchange {
     double impulse[3];            // N s
     double nonReactingImpulse[3]; // N s, 0 unless requested
     double work;                  // J, 0 unless requested
+    double heat;                  // J, FluidHeatExchange::heat of fluid-heat/fluid_heat_exchange.h with all
+                                  // steps before the removal; 0 without fix fluid/heat
+    double temperature;           // K, 0 without fix fluid/heat
     double owner[3];
     Fate fate;
   };

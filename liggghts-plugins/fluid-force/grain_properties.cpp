@@ -54,7 +54,7 @@ FixPropertyAtom *GrainProperties::create_property(const char *name, const std::v
   // What is there has its initial state now. Modify::setup would set it once more and
   // so wipe out what was written before the first run.
   fix->just_created = 0;
-  fixes_.push_back(fix);
+  names_.push_back(name);
   return fix;
 }
 
@@ -80,8 +80,9 @@ FixPropertyAtom *GrainProperties::create_unset(const char *name, int size)
 
 void GrainProperties::remove()
 {
-  for (FixPropertyAtom *fix : fixes_) modify->delete_fix(fix->id);
-  fixes_.clear();
+  for (const std::string &name : names_)
+    if (modify->find_fix(name.c_str()) >= 0) modify->delete_fix(name.c_str());
+  names_.clear();
   states_.clear();
 }
 

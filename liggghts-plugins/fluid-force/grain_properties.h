@@ -54,7 +54,7 @@ class GrainProperties : protected Pointers {
   };
 
   class Fix *owner_;
-  std::vector<class FixPropertyAtom *> fixes_;
+  std::vector<std::string> names_;
   std::vector<State> states_;
 
   class FixPropertyAtom *create_property(const char *name, const std::vector<std::string> &initial);

@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "fix_massflow_mesh.h"
+#include "fix_property_atom.h"
 #include "modify.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ std::vector<int> *grainjet::marked_tags(Fix *fix)
 
 /* ---------------------------------------------------------------------- */
 
-RemovedGrains::RemovedGrains(LAMMPS *lmp) : Pointers(lmp) {}
+RemovedGrains::RemovedGrains(LAMMPS *lmp) : Pointers(lmp), heat_(NULL), temperature_(NULL) {}
 
 /* ---------------------------------------------------------------------- */
 
@@ -100,6 +101,22 @@ bool RemovedGrains::find_marked()
 }
 
 /* ----------------------------------------------------------------------
+   The two fixes lie in plugins of their own and share what LIGGGHTS keeps: the properties
+------------------------------------------------------------------------- */
+
+void RemovedGrains::find_heat()
+{
+  heat_ = temperature_ = NULL;
+  if (!modify->find_fix_style("fluid/heat", 0)) return;
+  const auto values = [this](const char *name) {
+    return static_cast<FixPropertyAtom *>(
+      modify->find_fix_property(name, "property/atom", "scalar", 0, 0, "fluid/force"))->vector_atom;
+  };
+  heat_ = values("fluidHeat");
+  temperature_ = values("Temp");
+}
+
+/* ----------------------------------------------------------------------
    A marked grain beyond the boundary is deleted before the exchange between ranks drops it. This is
    called whenever lists are made: grains that nothing can remove are not looked at.
 ------------------------------------------------------------------------- */
@@ -110,6 +127,7 @@ void RemovedGrains::collect(const FluidForceExchange &state, bool deleting, doub
   const Box box(domain);
   const bool marked = deleting && find_marked();
   if (!marked && !box.open) return;
+  find_heat();
 
   const int nlocal = atom->nlocal;
   const double *const *x = atom->x;
@@ -131,6 +149,8 @@ void RemovedGrains::record(int i, FluidForceExchange::Fate fate, const FluidForc
   grain.mass = atom->rmass[i];
   grain.radius = atom->radius[i];
   grain.fate = fate;
+  grain.heat = heat_ ? heat_[i] : 0.0;
+  grain.temperature = temperature_ ? temperature_[i] : 0.0;
   grain.work = powerGrowth ? state.work[i] - 0.5 * halfKick * halfKick * *powerGrowth : 0.0;
   for (int dim = 0; dim < 3; dim++) {
     grain.position[dim] = atom->x[i][dim];

@@ -43,6 +43,7 @@ class RemovedGrains : protected Pointers {
 
   std::vector<FluidForceExchange::Removed> grains_;
   std::vector<char> marked_;    // per grain, while collecting
+  const double *heat_, *temperature_;    // of a fix fluid/heat, per grain, while collecting; NULL without
 
   // The fixed faces of the box, through which grains are lost; other faces lie at infinity
   struct Box {
@@ -59,6 +60,7 @@ class RemovedGrains : protected Pointers {
   };
 
   bool find_marked();    // are there any?
+  void find_heat();
   void record(int, FluidForceExchange::Fate, const FluidForceExchange &, double halfKick,
     const double *nonReacting, const double *powerGrowth);
 };

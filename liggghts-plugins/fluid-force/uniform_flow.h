@@ -34,6 +34,8 @@ class UniformFlow : protected Pointers {
   void init();
 
   const double *velocity() const { return velocity_; }    // m/s
+  double density() const { return density_; }
+  double viscosity() const { return viscosity_; }
   bool rotation() const { return rotation_; }
   bool magnus() const { return magnus_; }
 

@@ -76,8 +76,8 @@ class Rooms(unittest.TestCase):
             "liggghts-plugins includes OpenFOAM")
 
     def test_openfoam_libraries_see_liggghts_only_through_interfaces(self):
-        """Physics, the exchange with fix fluid/force and the loader; not a plugin's insides."""
-        interfaces = re.compile(r"physics/.*|loader/.*|host/.*|fluid-force/fluid_force_exchange\.h")
+        """Physics, the exchange with fix fluid/force and fluid/heat and the loader; not a plugin's insides."""
+        interfaces = re.compile(r"physics/.*|loader/.*|host/.*|fluid-(force|heat)/fluid_(force|heat)_exchange\.h")
         rooms = {path.name for path in (grainjet.ROOT / "liggghts-plugins").iterdir() if path.is_dir()}
         self.assertNone(
             [f"{named(path)}: {name}" for path in sources("openfoam-libs") for name in includes(path)
