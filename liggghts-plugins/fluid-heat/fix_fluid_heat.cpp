@@ -6,14 +6,13 @@
 
 #include "fix_fluid_heat.h"
 
+#include "host/find_temperature.h"
 #include "host/fix_arguments.h"
 #include "host/grainjet_version.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_property_atom.h"
-#include "modify.h"
 #include "update.h"
 
 #include <cmath>
@@ -23,9 +22,8 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using grainjet::find_temperature;
 using grainjet::FixArguments;
-
-static const char TEMPERATURE[] = "Temp";    // stock name of the property
 
 // In the restart file
 static const double LAYOUT = 1.0;
@@ -59,7 +57,7 @@ FixFluidHeat::FixFluidHeat(LAMMPS *lmp, int narg, char **arg) :
   if (!atom->sphere_flag) arguments.fail("requires atom_style granular (spheres)");
   if (strcmp(update->unit_style, "si") != 0) arguments.fail("requires units si");
 
-  const Fix *present = find_temperature();
+  const Fix *present = find_temperature(modify, style);
   if (present && !std::isnan(temperature_))
     arguments.fail(std::string("keyword temperature, but there is a property Temp already (fix ") + present->id
       + "), whose temperatures count; take one of them out");
@@ -95,20 +93,12 @@ void FixFluidHeat::fail(const std::string &message) const
 
 /* ---------------------------------------------------------------------- */
 
-FixPropertyAtom *FixFluidHeat::find_temperature() const
-{
-  return static_cast<FixPropertyAtom *>(
-    modify->find_fix_property(TEMPERATURE, "property/atom", "scalar", 0, 0, style, false));
-}
-
-/* ---------------------------------------------------------------------- */
-
 void FixFluidHeat::post_create()
 {
-  grainTemperature_ = find_temperature();
+  grainTemperature_ = find_temperature(modify, style);
   if (!grainTemperature_) {
     const double initial = std::isnan(temperature_) ? uniform_->temperature() : temperature_;
-    grainTemperature_ = properties_.create(TEMPERATURE, {initial});
+    grainTemperature_ = properties_.create("Temp", {initial});
     ownTemperature_ = true;
     if (std::isnan(temperature_) && comm->me == 0)
       for (FILE *out : {screen, logfile})
@@ -135,7 +125,7 @@ void FixFluidHeat::init()
   if (strstr(update->integrate_style, "respa")) fail("does not work with run_style respa, use verlet");
 
   // fix heat/gran behind this one replaces the property by its own
-  grainTemperature_ = find_temperature();
+  grainTemperature_ = find_temperature(modify, style);
   if (!grainTemperature_) fail("the property Temp is gone; keep the fix that made it");
   for (int ifix = 0; ifix < modify->nfix && ownTemperature_; ifix++)
     if (strncmp(modify->fix[ifix]->style, "heat/gran", 9) == 0)
@@ -233,7 +223,7 @@ void FixFluidHeat::post_run()
 void FixFluidHeat::refresh_exchange()
 {
   if (specificHeat_.empty()) {    // before the first init()
-    grainTemperature_ = find_temperature();
+    grainTemperature_ = find_temperature(modify, style);
     if (!grainTemperature_) fail("the property Temp is gone; keep the fix that made it");
     read_materials();
   }

@@ -88,7 +88,6 @@ class FixFluidHeat : public Fix {
   bigint sumStep_;                          // step of sums_, -1: none
   double sums_[4];                          // heat of the step, sum of m c, of m c T, heat of all steps
 
-  class FixPropertyAtom *find_temperature() const;
   void read_materials();
   std::vector<double> per_type(const char *name, const char *what, bool needed);
   void check_other_fixes();

@@ -51,7 +51,7 @@ FixPlateStats::FixPlateStats(LAMMPS *lmp, int narg, char **arg) :
 {
   parse(narg, arg);
   surface_.reset(new WallSurface(lmp, wallID_, id, *plate_));
-  statistics_.reset(new PlateStatistics(*plate_));
+  statistics_.reset(new PlateStatistics(*plate_, has_temperature()));
   watch(*surface_);
   size_vector = 3;
 }

@@ -32,15 +32,16 @@ const char *FixPlateStats::beside_hint() const
 
 std::vector<FixPlateStats::Output> FixPlateStats::outputs() const
 {
-  return {{path_, PlateStatistics::columns()}};
+  return {{path_, PlateStatistics::columns(has_temperature())}};
 }
 
 /* ---------------------------------------------------------------------- */
 
 std::string FixPlateStats::event_columns() const
 {
-  return "time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
-    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles";
+  return std::string("time,id,x,y,speed_before,speed_after,angle,normal_force_peak,"
+    "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles")
+    + (has_temperature() ? ",temperature" : "");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -53,7 +54,7 @@ std::string FixPlateStats::event(const FinishedCollision &c) const
     c.contact.time, c.id, c.contact.a, c.contact.b, c.contact.speed, c.speedAfter,
     c.contact.angle, c.contact.normalPeak, c.contact.tangentialPeak, c.contact.duration,
     c.contact.normalMean(), c.contact.tangentialMean(), c.energyLoss(), c.particles);
-  return line;
+  return line + temperature(c);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -64,7 +65,7 @@ void FixPlateStats::write()
   const std::vector<double> now = touching();
   std::string fault;
   if (comm->me == 0)
-    fault = replace(path_, PlateStatistics::columns(),
+    fault = replace(path_, PlateStatistics::columns(has_temperature()),
       statistics_->csv(std::max(clock_ - begin_, 0.0), begun_, now));
   agree(fault);
 }

@@ -12,8 +12,8 @@ using namespace grainjet;
 
 /* ---------------------------------------------------------------------- */
 
-PlateStatistics::PlateStatistics(const PlateGeometry &geometry)
-  : geometry_(geometry), regions_(1 + geometry.rings())
+PlateStatistics::PlateStatistics(const PlateGeometry &geometry, bool temperature)
+  : geometry_(geometry), temperature_(temperature), regions_(1 + geometry.rings(), Region(temperature))
 {
 }
 
@@ -32,10 +32,10 @@ void PlateStatistics::add(const FinishedCollision &collision)
 
 /* ---------------------------------------------------------------------- */
 
-std::string PlateStatistics::columns()
+std::string PlateStatistics::columns(bool temperature)
 {
-  return "region,r_in,r_out,time,collisions,frequency" + CollisionMoments::moment_columns()
-    + ",particle_frequency" + CollisionMoments::error_columns() + ",touching,deleted";
+  return "region,r_in,r_out,time,collisions,frequency" + CollisionMoments::moment_columns(temperature)
+    + ",particle_frequency" + CollisionMoments::error_columns(temperature) + ",touching,deleted";
 }
 
 /* ---------------------------------------------------------------------- */
@@ -43,7 +43,7 @@ std::string PlateStatistics::columns()
 std::string PlateStatistics::csv(double time, const std::vector<double> &begun,
   const std::vector<double> &touching) const
 {
-  std::string text = columns() + "\n";
+  std::string text = columns(temperature_) + "\n";
   const auto put = [&text](double value) { text += CollisionMoments::cell(value); };
   // a constant: the division 0/0 would end a run in OpenFOAM, which traps invalid operations
   const double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -72,8 +72,8 @@ std::vector<double> PlateStatistics::pack() const
   std::vector<double> buffer;
   for (const Region &region : regions_) {
     buffer.push_back(region.particles);
-    buffer.resize(buffer.size() + CollisionMoments::packed());
-    region.moments.pack(&buffer[buffer.size() - CollisionMoments::packed()]);
+    buffer.resize(buffer.size() + region.moments.packed());
+    region.moments.pack(&buffer[buffer.size() - region.moments.packed()]);
   }
   return buffer;
 }
@@ -87,7 +87,7 @@ bool PlateStatistics::unpack(const std::vector<double> &buffer)
   for (Region &region : regions_) {
     region.particles = *next++;
     region.moments.unpack(next);
-    next += CollisionMoments::packed();
+    next += region.moments.packed();
   }
   return true;
 }

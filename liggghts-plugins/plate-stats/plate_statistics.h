@@ -23,10 +23,10 @@ namespace grainjet {
 class PlateStatistics {
  public:
 
-  // the first line of the table
-  static std::string columns();
+  // the first line of the table; temperature: grains have one
+  static std::string columns(bool temperature);
 
-  explicit PlateStatistics(const PlateGeometry &);
+  PlateStatistics(const PlateGeometry &, bool temperature);
 
   // regions: 0 is the whole plate, 1 + i is ring i
   int regions() const { return static_cast<int>(regions_.size()); }
@@ -47,11 +47,13 @@ class PlateStatistics {
  private:
 
   struct Region {
+    explicit Region(bool temperature) : moments(temperature) {}
     CollisionMoments moments;
     double particles = 0.0;    // sum of f_cg^3
   };
 
   PlateGeometry geometry_;
+  bool temperature_;
   std::vector<Region> regions_;
 };
 

@@ -35,13 +35,13 @@ static const int MOST_BINS = 10000;
 /* ---------------------------------------------------------------------- */
 
 FixSurfaceStats::FixSurfaceStats(LAMMPS *lmp, int narg, char **arg) :
-  FixWallCollisions(lmp, narg, arg, grainjet::Collision::SIZE),
+  FixWallCollisions(lmp, narg, arg, grainjet::Collision::OF_SURFACE),
   speed_{1e-3, 1e3, 60}, energy_{1e-15, 1e3, 180}, placed_(false), mapped_(-1),
   mappedTime_(-1.0)
 {
   parse(narg, arg);
   surface_.reset(new MeshSurface(lmp, wallID_, meshIDs_));
-  statistics_.reset(new SurfaceStatistics(meshIDs_.size(), law_));
+  statistics_.reset(new SurfaceStatistics(meshIDs_.size(), law_, has_temperature()));
   spectra_.reset(new ImpactSpectra(speed_, energy_));
   follow_sliding();
   watch(*surface_);

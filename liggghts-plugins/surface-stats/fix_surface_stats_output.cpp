@@ -33,7 +33,7 @@ using grainjet::SurfaceStatistics;
 
 std::vector<FixSurfaceStats::Output> FixSurfaceStats::outputs() const
 {
-  std::vector<Output> list = {{path_, SurfaceStatistics::columns()}};
+  std::vector<Output> list = {{path_, SurfaceStatistics::columns(has_temperature())}};
   if (!spectraPath_.empty()) list.push_back({spectraPath_, ImpactSpectra::columns()});
   if (vtkPath_.empty()) return list;
   list.push_back({vtkPath_, SurfaceMap::first_line(series_->xml())});
@@ -45,9 +45,9 @@ std::vector<FixSurfaceStats::Output> FixSurfaceStats::outputs() const
 
 std::string FixSurfaceStats::event_columns() const
 {
-  return "time,id,x,y,z,mesh,triangle,speed_before,speed_after,angle,normal_force_peak,"
+  return std::string("time,id,x,y,z,mesh,triangle,speed_before,speed_after,angle,normal_force_peak,"
     "tangential_force_peak,duration,normal_force,tangential_force,energy_loss,particles,mass,"
-    "diameter,sliding_work,wear_volume";
+    "diameter,sliding_work,wear_volume") + (has_temperature() ? ",temperature" : "");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -64,7 +64,7 @@ std::string FixSurfaceStats::event(const FinishedCollision &c) const
     c.speedAfter, contact.angle, contact.normalPeak, contact.tangentialPeak, contact.duration,
     contact.normalMean(), contact.tangentialMean(), c.energyLoss(), c.particles,
     c.mass, 2.0 * c.radius, contact.slidingWork, statistics_->wear(c));
-  return line;
+  return line + temperature(c);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -109,7 +109,7 @@ void FixSurfaceStats::write()
 std::string FixSurfaceStats::write_table(const SurfaceStatistics &statistics,
   const std::vector<double> &touching)
 {
-  std::string fault = replace(path_, SurfaceStatistics::columns(),
+  std::string fault = replace(path_, SurfaceStatistics::columns(has_temperature()),
     statistics.csv(std::max(clock_ - begin_, 0.0), meshIDs_, areas_, begun_, touching));
   if (fault.empty() && !spectraPath_.empty())
     fault = replace(spectraPath_, ImpactSpectra::columns(), spectra_->csv());

@@ -56,8 +56,8 @@ double ImpactSums::angleRms() const { return impacts > 0.0 ? std::sqrt(angleSqua
 
 /* ---------------------------------------------------------------------- */
 
-SurfaceStatistics::SurfaceStatistics(int meshes, std::shared_ptr<const wear::WearLaw> law)
-  : law_(law), regions_(1 + meshes), place_(meshes)
+SurfaceStatistics::SurfaceStatistics(int meshes, std::shared_ptr<const wear::WearLaw> law, bool temperature)
+  : law_(law), temperature_(temperature), regions_(1 + meshes, Region(temperature)), place_(meshes)
 {
 }
 
@@ -135,10 +135,10 @@ void SurfaceStatistics::add(const SlidingPiece &piece)
 
 /* ---------------------------------------------------------------------- */
 
-std::string SurfaceStatistics::columns()
+std::string SurfaceStatistics::columns(bool temperature)
 {
-  return "region,area,time,collisions,frequency" + CollisionMoments::moment_columns()
-    + ",particle_frequency" + CollisionMoments::error_columns() + ",touching,deleted,particles,"
+  return "region,area,time,collisions,frequency" + CollisionMoments::moment_columns(temperature)
+    + ",particle_frequency" + CollisionMoments::error_columns(temperature) + ",touching,deleted,particles,"
     "impact_mass,impact_speed_rms,impact_angle_rms,kinetic_energy_normal,"
     "kinetic_energy_tangential,energy_loss_total,normal_force_max,tangential_force_max,"
     "sliding_work,wear_volume,wear_depth_mean,wear_depth_max,triangles,triangles_hit";
@@ -150,7 +150,7 @@ std::string SurfaceStatistics::csv(double time, const std::vector<std::string> &
   const std::vector<std::vector<double> > &areas, const std::vector<double> &begun,
   const std::vector<double> &touching) const
 {
-  std::string text = columns() + "\n";
+  std::string text = columns(temperature_) + "\n";
   const auto put = [&text](double value) { text += CollisionMoments::cell(value); };
   for (std::size_t r = 0; r < regions_.size(); r++) {
     const CollisionMoments &moments = regions_[r].moments;
@@ -210,8 +210,8 @@ std::vector<double> SurfaceStatistics::pack() const
   };
   for (const Region &region : regions_) {
     put(region.sums);
-    buffer.resize(buffer.size() + CollisionMoments::packed());
-    region.moments.pack(&buffer[buffer.size() - CollisionMoments::packed()]);
+    buffer.resize(buffer.size() + region.moments.packed());
+    region.moments.pack(&buffer[buffer.size() - region.moments.packed()]);
   }
   buffer.push_back(hit_.size());
   for (std::size_t m = 0; m < place_.size(); m++)
@@ -235,7 +235,7 @@ void SurfaceStatistics::unpack(const double *next)
   for (Region &region : regions_) {
     take(region.sums);
     region.moments.unpack(next);
-    next += CollisionMoments::packed();
+    next += region.moments.packed();
   }
   for (std::size_t n = static_cast<std::size_t>(*next++); n > 0; n--) {
     const int mesh = static_cast<int>(*next++), id = static_cast<int>(*next++);

@@ -55,8 +55,8 @@ static_assert(sizeof(ImpactSums) == ImpactSums::SIZE * sizeof(double), "plain do
 class SurfaceStatistics {
  public:
 
-  // law: none is an empty pointer
-  explicit SurfaceStatistics(int meshes, std::shared_ptr<const wear::WearLaw> law = nullptr);
+  // law: none is an empty pointer; temperature: grains have one
+  SurfaceStatistics(int meshes, std::shared_ptr<const wear::WearLaw> law, bool temperature);
 
   // how many triangles each mesh has; to be called before anything is added
   void size(const std::vector<int> &triangles);
@@ -78,8 +78,8 @@ class SurfaceStatistics {
   // of one triangle; all zero if it was not hit
   const ImpactSums &triangle(int mesh, int id) const;
 
-  // the first line of the table
-  static std::string columns();
+  // the first line of the table; temperature: grains have one
+  static std::string columns(bool temperature);
 
   // The table as CSV text, one row for all and one for each mesh. time: s over which collisions were
   // counted; areas: m2 of each triangle by mesh; begun, touching: collisions begun in that time
@@ -95,11 +95,13 @@ class SurfaceStatistics {
  private:
 
   struct Region {
+    explicit Region(bool temperature) : moments(temperature) {}
     CollisionMoments moments;
     ImpactSums sums = {};
   };
 
   std::shared_ptr<const wear::WearLaw> law_;
+  bool temperature_;
   std::vector<Region> regions_;                   // all, then by mesh
 
   static constexpr int NONE = -1;

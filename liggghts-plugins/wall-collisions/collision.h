@@ -14,7 +14,7 @@ namespace grainjet {
 /* One collision of one grain with a watched surface, from the first to the last DEM step in
    contact. Plain doubles, since that is what goes between ranks and into restart files.
    Everything is of the grain, SI units. A plate needs no more than the first OF_PLATE of
-   them, and keeps no more.                                                           */
+   them, and keeps no more, but for the temperature, which is kept where grains have one.  */
 struct Collision {
   double steps;             // DEM steps in contact so far
   double time;              // s, of the first of them; negative: began unobserved
@@ -33,9 +33,11 @@ struct Collision {
   double firstMesh, firstTriangle;    // touched first
   double slidingWork;       // J, integral of normal force times speed of sliding (Archard)
   double workHere;          // J, that part of it which belongs to the triangle touched last
+  double temperature;       // K, of the grain at first contact; 0 where grains have none
 
   static constexpr int OF_PLATE = 17;
-  static constexpr int SIZE = 24;
+  static constexpr int OF_SURFACE = 24;
+  static constexpr int SIZE = 25;
   double *data() { return &steps; }
   const double *data() const { return &steps; }
 

@@ -12,30 +12,31 @@ using namespace grainjet;
 
 /* ---------------------------------------------------------------------- */
 
-const std::vector<std::string> &CollisionMoments::quantities()
+std::vector<std::string> CollisionMoments::quantities(bool temperature)
 {
-  static const std::vector<std::string> names = {
+  std::vector<std::string> names = {
     "normal_force_peak", "tangential_force_peak", "normal_force", "tangential_force",
     "impact_speed", "impact_angle", "duration", "energy_loss"};
+  if (temperature) names.push_back("temperature");
   return names;
 }
 
 /* ---------------------------------------------------------------------- */
 
-std::string CollisionMoments::moment_columns()
+std::string CollisionMoments::moment_columns(bool temperature)
 {
   std::string text;
-  for (const std::string &name : quantities())
+  for (const std::string &name : quantities(temperature))
     text += "," + name + "_mean," + name + "_variance," + name + "_skewness";
   return text;
 }
 
 /* ---------------------------------------------------------------------- */
 
-std::string CollisionMoments::error_columns()
+std::string CollisionMoments::error_columns(bool temperature)
 {
   std::string text;
-  for (const std::string &name : quantities()) text += "," + name + "_standard_error";
+  for (const std::string &name : quantities(temperature)) text += "," + name + "_standard_error";
   return text;
 }
 
@@ -46,7 +47,7 @@ void CollisionMoments::add(const FinishedCollision &collision)
   const Collision &contact = collision.contact;
   const double values[] = {contact.normalPeak, contact.tangentialPeak,
     contact.normalMean(), contact.tangentialMean(), contact.speed, contact.angle,
-    contact.duration, collision.energyLoss()};
+    contact.duration, collision.energyLoss(), contact.temperature};
   for (std::size_t q = 0; q < moments_.size(); q++) moments_[q].add(values[q]);
 }
 

@@ -18,18 +18,19 @@ namespace grainjet {
 
 /* Moments of the quantities of finished collisions, as tables have them:
    normal_force_peak, tangential_force_peak, normal_force, tangential_force (N),
-   impact_speed (m/s), impact_angle (degrees), duration (s), energy_loss (J).         */
+   impact_speed (m/s), impact_angle (degrees), duration (s), energy_loss (J), and temperature (K)
+   where grains have one.                                                             */
 class CollisionMoments {
  public:
 
   // in the order of the columns
-  static const std::vector<std::string> &quantities();
+  static std::vector<std::string> quantities(bool temperature);
 
   // ",<q>_mean,<q>_variance,<q>_skewness" of each; ",<q>_standard_error" of each
-  static std::string moment_columns();
-  static std::string error_columns();
+  static std::string moment_columns(bool temperature);
+  static std::string error_columns(bool temperature);
 
-  CollisionMoments() : moments_(quantities().size()) {}
+  explicit CollisionMoments(bool temperature) : moments_(quantities(temperature).size()) {}
 
   void add(const FinishedCollision &);
 
@@ -42,7 +43,7 @@ class CollisionMoments {
   // a value of a CSV table, after a comma
   static std::string cell(double);
 
-  static int packed() { return Moments::PACKED * static_cast<int>(quantities().size()); }
+  int packed() const { return Moments::PACKED * static_cast<int>(moments_.size()); }
   void pack(double *buffer) const;
   void unpack(const double *buffer);
 

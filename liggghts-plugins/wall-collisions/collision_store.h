@@ -22,8 +22,10 @@ namespace grainjet {
 class CollisionStore {
  public:
 
-  // kept: how many doubles of a record are used, the first ones
-  explicit CollisionStore(int kept = Collision::SIZE) : kept_(kept) {}
+  // kept: how many doubles of a record are used, the first ones; temperature: so is that, which is the
+  // last one
+  explicit CollisionStore(int kept = Collision::OF_SURFACE, bool temperature = false)
+    : kept_(kept), temperature_(temperature) {}
 
   // room for n grains; new places are free
   void grow(int n) { if (n > static_cast<int>(record_.size())) record_.resize(n, NONE); }
@@ -68,7 +70,7 @@ class CollisionStore {
 
   static constexpr int PACKED = 1 + Collision::SIZE;    // at most, of any store
 
-  int packed() const { return 1 + kept_; }
+  int packed() const { return 1 + kept_ + (temperature_ ? 1 : 0); }
 
   int pack(int i, double *buffer) const
   {
@@ -76,21 +78,28 @@ class CollisionStore {
     buffer[0] = collision ? 1.0 : 0.0;
     if (!collision) return 1;
     std::copy_n(collision->data(), kept_, buffer + 1);
+    if (temperature_) buffer[1 + kept_] = collision->temperature;
     return packed();
   }
 
-  int unpack(int i, const double *buffer)
+  int unpack(int i, const double *buffer) { return unpack(i, buffer, temperature_); }
+
+  // temperature: the record has one, also where the store keeps none
+  int unpack(int i, const double *buffer, bool temperature)
   {
     reset(i);
     if (buffer[0] == 0.0) return 1;
-    std::copy_n(buffer + 1, kept_, begin(i).data());
-    return packed();
+    Collision &collision = begin(i);
+    std::copy_n(buffer + 1, kept_, collision.data());
+    if (temperature) collision.temperature = buffer[1 + kept_];
+    return 1 + kept_ + (temperature ? 1 : 0);
   }
 
  private:
 
   static constexpr int NONE = -1;
   int kept_;
+  bool temperature_;
   std::vector<int> record_;           // per grain
   std::vector<Collision> records_;
   std::vector<int> free_;             // records that are not in use

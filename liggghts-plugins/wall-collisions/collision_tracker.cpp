@@ -7,6 +7,7 @@
 #include "collision_tracker.h"
 
 #include "atom.h"
+#include "fix_property_atom.h"
 #include "force.h"
 #include "math_const.h"
 #include "neighbor.h"
@@ -39,7 +40,7 @@ static void against(const double *v, const double *surface, double *relative)
 CollisionTracker::CollisionTracker(LAMMPS *lmp, WatchedSurface &surface, int groupbit,
   CollisionStore &store) :
   Pointers(lmp), surface_(surface), groupbit_(groupbit), store_(store), start_(0.0),
-  sliding_(false), rebuild_(true), thorough_(true), begun_(1 + surface.regions(), 0.0),
+  sliding_(false), temperature_(NULL), rebuild_(true), thorough_(true), begun_(1 + surface.regions(), 0.0),
   seen_(false), elsewhere_(false)
 {
 }
@@ -202,6 +203,7 @@ Collision &CollisionTracker::begin(int i, double time, const WatchedSurface::Tou
   c.angle = std::atan2(std::sqrt(std::max(square - across * across, 0.0)), std::fabs(across))
     * 180.0 / MathConst::MY_PI;
   c.energy = kinetic_energy(i, v);
+  if (temperature_) c.temperature = temperature_->vector_atom[i];
   count(c, begun_);
   return c;
 }

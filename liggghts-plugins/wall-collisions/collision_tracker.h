@@ -31,6 +31,9 @@ class CollisionTracker : protected Pointers {
   // also adds up the sliding work, by triangle; the store has to keep whole records
   void follow_sliding() { sliding_ = true; }
 
+  // property Temp, for the temperature at impact; NULL: grains have none
+  void record_temperature(const class FixPropertyAtom *property) { temperature_ = property; }
+
   // Start of a run. Between runs a grain can have been put elsewhere while it touched.
   void start_run() { surface_.reorder(); rebuild_ = thorough_ = true; }
 
@@ -68,6 +71,7 @@ class CollisionTracker : protected Pointers {
   grainjet::CollisionStore &store_;
   double start_;
   bool sliding_;
+  const class FixPropertyAtom *temperature_;
   bool rebuild_, thorough_;         // near_ is out of date; look at all grains
 
   std::vector<int> near_;           // grains that can reach the surface until the next rebuild

@@ -6,6 +6,8 @@
 
 #include "fix_wall_collisions.h"
 
+#include "host/find_temperature.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -18,6 +20,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using grainjet::find_temperature;
 using grainjet::FinishedCollision;
 using grainjet::SlidingPiece;
 
@@ -28,9 +31,9 @@ static const int GATHER_EVERY = 1000;
 
 FixWallCollisions::FixWallCollisions(LAMMPS *lmp, int narg, char **arg, int kept) :
   Fix(lmp, narg, arg),
-  every_(1000), start_(0.0), store_(kept), anew_(false), clock_(-1.0), begin_(0.0),
-  follows_sliding_(false), observed_(false), unknown_(false), warned_(false), started_(false),
-  restartedEvents_(-1.0)
+  every_(1000), start_(0.0), store_(kept, find_temperature(modify, style) != NULL), anew_(false), clock_(-1.0), begin_(0.0),
+  temperature_(find_temperature(modify, style) != NULL), follows_sliding_(false), observed_(false), unknown_(false), warned_(false), started_(false),
+  restartedTemperature_(false), restartedEvents_(-1.0)
 {
   create_attribute = 1;
   restart_peratom = 1;
@@ -87,6 +90,7 @@ void FixWallCollisions::fail(const std::string &message) const
 void FixWallCollisions::init()
 {
   find_wall();    // it may have been replaced since
+  attach_temperature();
   if (strcmp(update->integrate_style, "verlet") != 0)
     fail(std::string("requires run_style verlet, not ") + update->integrate_style);
   if (!(update->dt > 0.0)) fail("requires a timestep > 0");
@@ -100,6 +104,20 @@ void FixWallCollisions::find_wall()
   std::string fault = wall_->attach();
   if (fault.empty()) fault = attach_surface();
   if (!fault.empty()) fail(fault);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallCollisions::attach_temperature()
+{
+  const FixPropertyAtom *property = find_temperature(modify, style);
+  if (temperature_ && !property) fail("the property Temp is gone, whose temperatures it records; define this fix anew");
+  tracker_->record_temperature(temperature_ ? property : NULL);
+  if (!temperature_ && property && !started_ && comm->me == 0) {
+    const std::string text = std::string("Fix ") + style + " (ID " + id + "): the property Temp came behind this fix, "
+      "so its files have no temperatures; put fix " + property->id + " or what makes it before";
+    error->warning(FLERR, text.c_str());
+  }
 }
 
 /* ---------------------------------------------------------------------- */

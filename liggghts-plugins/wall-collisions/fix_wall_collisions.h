@@ -113,6 +113,12 @@ class FixWallCollisions : public Fix, public grainjet::FileWriter {
   // before watch(): sliding work is asked for; the store keeps whole records
   void follow_sliding() { follows_sliding_ = true; }
 
+  // Grains have a temperature, the property Temp: files have that at impact
+  bool has_temperature() const { return temperature_; }
+
+  // of a line of the events file: ",<K>", or nothing
+  std::string temperature(const grainjet::FinishedCollision &) const;
+
   // on rank 0: a file takes its place in one piece, or a warning says that it could not
   std::string replace(const std::string &path, const std::string &line, const std::string &text);
 
@@ -155,16 +161,19 @@ class FixWallCollisions : public Fix, public grainjet::FileWriter {
 
  private:
 
+  bool temperature_;        // settled when the fix is defined, since its files begin then
   bool follows_sliding_;
   bool observed_;           // grains in contact from before have been marked
   bool unknown_;            // the restart file's collisions are those of something else
   bool warned_;             // whether the surface lies on the wall is settled
   bool started_;            // the first run has begun
+  bool restartedTemperature_;       // the restart file's collisions have a temperature
   double restartedEvents_;          // bytes of the events file to keep; < 0: new file
   std::string restartedPath_;       // of that events file
   std::vector<std::string> left_;   // files that could not take their place; said already
 
   void find_wall();
+  void attach_temperature();
   void warn_if_beside();
   std::vector<std::string> paths() const override;
   std::string check_files() const;

@@ -63,7 +63,7 @@ void FixWallCollisions::unpack_restart(int i, int nth)
 {
   const double *extra = atom->extra[i];
   for (int n = 0; n < nth; n++) extra += static_cast<int>(extra[0]);
-  store_.unpack(i, extra + 1);
+  store_.unpack(i, extra + 1, restartedTemperature_);
   grainjet::Collision *collision = store_.find(i);
   if (!collision) return;
   if (unknown_) collision->time = -1.0;

@@ -40,8 +40,8 @@ struct DumpPath {
 template struct grainjet::Expose<grainjet::DumpPath, &Dump::filename>;
 
 // Of the restart data, in a place where versions without it have stats_start >= 0. Version 0.6 wrote
-// no group.
-static const double FORMAT = -3.0, FORMAT_WITHOUT_GROUP = -2.0;
+// no group. Records and statistics with temperatures are longer.
+static const double FORMAT = -3.0, FORMAT_WITHOUT_GROUP = -2.0, FORMAT_WITH_TEMPERATURE = -4.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -177,6 +177,15 @@ std::string FixWallCollisions::replace(const std::string &path, const std::strin
 
 /* ---------------------------------------------------------------------- */
 
+std::string FixWallCollisions::temperature(const grainjet::FinishedCollision &collision) const
+{
+  char text[32] = "";
+  if (temperature_) snprintf(text, sizeof(text), ",%.9g", collision.contact.temperature);
+  return text;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixWallCollisions::pack_text(std::vector<double> &list, const std::string &text)
 {
   list.push_back(text.size());
@@ -206,7 +215,7 @@ void FixWallCollisions::write_restart(FILE *fp)
   write();
   if (comm->me != 0) return;
   std::vector<double> list =
-    {0.0, FORMAT, start_, clock_, begin_, events_ ? events_->size() : -1.0};
+    {0.0, temperature_ ? FORMAT_WITH_TEMPERATURE : FORMAT, start_, clock_, begin_, events_ ? events_->size() : -1.0};
   const std::vector<double> watched = pack_watched();
   list.insert(list.end(), watched.begin(), watched.end());
   pack_text(list, wallID_);
@@ -227,7 +236,7 @@ void FixWallCollisions::write_restart(FILE *fp)
 void FixWallCollisions::restart(char *buf)
 {
   const double *list = reinterpret_cast<const double *>(buf);
-  if (list[1] != FORMAT && list[1] != FORMAT_WITHOUT_GROUP)
+  if (list[1] != FORMAT && list[1] != FORMAT_WITHOUT_GROUP && list[1] != FORMAT_WITH_TEMPERATURE)
     fail("the restart file was written by another version of Grainjet; go on with that, or give "
       "this fix another ID");
   anew_ = start_ != list[2];
@@ -235,10 +244,14 @@ void FixWallCollisions::restart(char *buf)
   std::string difference = compare_watched(next);
   const std::string wall = unpack_text(next), path = unpack_text(next);
   const std::string own = group->names[igroup];
-  const std::string grains = list[1] == FORMAT ? unpack_text(next) : own;
+  const std::string grains = list[1] == FORMAT_WITHOUT_GROUP ? own : unpack_text(next);
+  restartedTemperature_ = list[1] == FORMAT_WITH_TEMPERATURE;
   if (difference.empty() && wall != wallID_) difference = "another wall ('" + wall + "')";
   unknown_ = !difference.empty();
   if (!unknown_ && grains != own) difference = "another group ('" + grains + "')";
+  if (difference.empty() && restartedTemperature_ != temperature_)
+    difference = temperature_ ? "grains without temperature (property Temp)"
+      : "grains with a temperature (property Temp, which has to be made before this fix)";
 
   clock_ = list[3];
   observed_ = true;

@@ -7,6 +7,8 @@
 #include "fix_exchange_probe.h"
 
 #include "fluid-force/fluid_force_exchange.h"
+#include "fluid-heat/fluid_heat_exchange.h"
+#include "host/grainjet_version.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -26,7 +28,8 @@ using namespace FixConst;
 FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), nonReacting_(false), torque_(false), work_(false),
   nonReactingCoefficient_(0.0), nonReactingForce_(0.0),
-  spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), addedMass_(0.0), fluid_(NULL), mine_()
+  spinCoefficient_(0.0), spin_(0.0), explicitTorque_(0.0), addedMass_(0.0),
+  heat_(false), temperature_(0.0), heatCoefficient_(0.0), fluid_(NULL), heating_(NULL), mine_()
 {
   if (narg < 8) error->all(FLERR, "Illegal fix exchange/probe command");
   nevery = atoi(arg[3]);
@@ -52,6 +55,11 @@ FixExchangeProbe::FixExchangeProbe(LAMMPS *lmp, int narg, char **arg) :
     } else if (strcmp(arg[n], "work") == 0) {
       work_ = true;
       n += 1;
+    } else if (strcmp(arg[n], "heat") == 0 && n + 2 < narg) {
+      heat_ = true;
+      temperature_ = atof(arg[n + 1]);
+      heatCoefficient_ = atof(arg[n + 2]);
+      n += 3;
     } else if (strcmp(arg[n], "state") == 0 && n + 2 < narg) {
       states_.push_back(State{arg[n + 1], atoi(arg[n + 2]), -1});
       n += 3;
@@ -91,6 +99,13 @@ void FixExchangeProbe::post_create()
     || fluid->fluidSpin || fluid->spinCoefficient || fluid->explicitTorque || fluid->addedMass || fluid->work)
     error->all(FLERR, "Fix exchange/probe: arrays that nobody has requested");
 
+  if (heat_) {
+    heating_ = modify->find_fix_style("fluid/heat", 0);
+    if (!heating_ || !heat_exchange()) error->all(FLERR, "Fix exchange/probe: no fix fluid/heat coupled");
+    int dim;
+    if (strcmp(static_cast<const char *>(heating_->extract("fluid_heat_version", dim)), GRAINJET_VERSION) != 0)
+      error->all(FLERR, "Fix exchange/probe: fix fluid/heat of another version");
+  }
   if (nonReacting_) fluid->useNonReacting(fluid);
   if (torque_) fluid->useTorque(fluid);
   if (addedMass_ != 0.0) fluid->useAddedMass(fluid);
@@ -109,6 +124,28 @@ void FixExchangeProbe::post_create()
 void FixExchangeProbe::init()
 {
   fluid_ = modify->find_fix_style("fluid/force", 0);
+  heating_ = modify->find_fix_style("fluid/heat", 0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FluidHeatExchange *FixExchangeProbe::heat_exchange()
+{
+  int dim;
+  return static_cast<FluidHeatExchange *>(heating_->extract("fluid_heat_exchange", dim));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixExchangeProbe::exchange_heat()
+{
+  FluidHeatExchange *heating = heat_exchange();
+  for (int i = 0; i < atom->nlocal; i++) {
+    mine_[HEAT] += heating->heat[i];
+    heating->heat[i] = 0;
+    heating->fluidTemperature[i] = temperature_;
+    heating->heatTransferCoefficient[i] = heatCoefficient_;
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -135,6 +172,10 @@ void FixExchangeProbe::take_removed()
       mine_[ENERGY] += 0.5 * grain.mass * grain.velocity[k] * grain.velocity[k];
     }
     mine_[WORK] += grain.work;
+    mine_[HEAT] += grain.heat;
+    if (heat_) mine_[THERMAL] += grain.mass * heat_exchange()->specificHeat[1] * grain.temperature;
+    else if (grain.heat != 0.0 || grain.temperature != 0.0)
+      error->one(FLERR, "Fix exchange/probe: heat of a removed grain without fix fluid/heat");
     mine_[MASS] += grain.mass;
     mine_[FATE] = std::max(mine_[FATE], distance(grain.position, grain.startPosition));
   }
@@ -164,6 +205,7 @@ void FixExchangeProbe::end_of_step()
 {
   take_removed();
   advance_states();
+  if (heat_) exchange_heat();
 
   FluidForceExchange *fluid = exchange();
   mine_[NEW] = mine_[FAR] = 0;

@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 /* Plays the coupling for the tests of fix fluid/force coupled:
 
      fix ID all exchange/probe N ux shear b fx [nonReacting c fz] [torque C spin T]
-       [addedMass m] [work] [state name size] ...
+       [addedMass m] [work] [heat T H] [state name size] ...
 
    Every N steps it takes the impulses through the exchange header, and then writes the fluid
    velocity (ux + shear y, 0, 0), the drag coefficient b and the explicit force (fx, 0, 0).
@@ -25,6 +25,7 @@ namespace LAMMPS_NS {
      torque       requests torque: coefficient C, spin of the fluid (0, 0, spin), torque (0, 0, T)
      addedMass    requests added mass, m on every grain
      work         requests the work of forces with reaction
+     heat         plays the coupling of fix fluid/heat as well: fluid of T (K), coefficient H (W/K)
      state        adds a state of `size` numbers, which begin with 0.25, 1.25, ...; every
                   exchange adds vx to the first, 2 vx to the second, ...
    Global vector:
@@ -36,7 +37,9 @@ namespace LAMMPS_NS {
      14    new grains whose state was not the initial one, since the start
      15    largest distance from the start position at the last exchange
      16    largest distance between end and start position of a removed grain
-     17    work of forces with reaction, as 1-3          18    kinetic energy of removed grains  */
+     17    work of forces with reaction, as 1-3          18    kinetic energy of removed grains
+     19    heat of grains, as 1-3                        20    thermal energy m c T of removed grains,
+           with the specific heat of type 1 (J)                                                  */
 class FixExchangeProbe : public Fix {
  public:
 
@@ -50,7 +53,7 @@ class FixExchangeProbe : public Fix {
  private:
 
   enum { IMPULSE, REMOVED = 3, MOMENTUM, MASS = 7, NEW, NON_REACTING, DELETED = 12, WRONG_STATE,
-         SUMS, FAR = SUMS, FATE, WORK, ENERGY, SIZE };
+         SUMS, FAR = SUMS, FATE, WORK, ENERGY, HEAT, THERMAL, SIZE };
 
   struct State { std::string name; int size, index; };
 
@@ -59,13 +62,17 @@ class FixExchangeProbe : public Fix {
   double nonReactingCoefficient_, nonReactingForce_;
   double spinCoefficient_, spin_, explicitTorque_;
   double addedMass_;
+  bool heat_;
+  double temperature_, heatCoefficient_;
   std::vector<State> states_;
-  class Fix *fluid_;
+  class Fix *fluid_, *heating_;
   double mine_[SIZE];
 
   struct FluidForceExchange *exchange();
+  struct FluidHeatExchange *heat_exchange();
   void take_removed();
   void advance_states();
+  void exchange_heat();
 };
 
 }

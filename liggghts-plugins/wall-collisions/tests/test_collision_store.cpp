@@ -25,7 +25,7 @@ struct Grains {
   std::vector<int> names;            // by local index
   std::map<int, double> colliding;   // name -> steps
 
-  Grains() { store.grow(1000); }
+  Grains() : store(Collision::OF_SURFACE, true) { store.grow(1000); }
 
   void create(int name)
   {
@@ -155,4 +155,30 @@ TEST(CollisionStore, APartIsKept)
   for (int n = 0; n < Collision::SIZE; n++)
     EXPECT_EQ(other.find(0)->data()[n], n < Collision::OF_PLATE ? n + 1 : 0);
   EXPECT_EQ(other.find(0)->surface[2], Collision::OF_PLATE);
+}
+
+// Grains with a temperature: that follows the part. A record of a restart file may have it or not, whatever the store
+TEST(CollisionStore, TheTemperatureIsKept)
+{
+  CollisionStore with(Collision::OF_PLATE, true), without(Collision::OF_PLATE);
+  with.grow(2);
+  without.grow(1);
+  Collision &c = with.begin(0);
+  c.time = 3.0;
+  c.x[0] = 5.0;
+  c.temperature = 350.0;
+  double buffer[CollisionStore::PACKED];
+  ASSERT_EQ(with.pack(0, buffer), with.packed());
+  ASSERT_EQ(with.packed(), without.packed() + 1);
+
+  ASSERT_EQ(with.unpack(1, buffer), with.packed());
+  EXPECT_EQ(with.find(1)->time, 3.0);
+  EXPECT_EQ(with.find(1)->x[0], 0.0);
+  EXPECT_EQ(with.find(1)->temperature, 350.0);
+
+  ASSERT_EQ(without.unpack(0, buffer, true), with.packed());
+  ASSERT_EQ(without.pack(0, buffer), without.packed());
+  ASSERT_EQ(with.unpack(1, buffer, false), without.packed());
+  EXPECT_EQ(with.find(1)->time, 3.0);
+  EXPECT_EQ(with.find(1)->temperature, 0.0);
 }
