@@ -64,12 +64,14 @@ void FixFluidHeat::refuse_temperature()
 {
   for (int i = 0; i < atom->nlocal; i++) {
     const double temperature = grainTemperature_->vector_atom[i], coefficient = coefficient_->vector_atom[i];
-    if (!(atom->mask[i] & groupbit) || (possible(temperature) && coefficient >= 0.0)) continue;
+    const double fluid = fluidTemperature_->vector_atom[i];
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (possible(temperature) && (coefficient == 0.0 || (coefficient > 0.0 && fluid > 0.0))) continue;
     char text[512];
     snprintf(text, sizeof(text), "Fix fluid/heat (ID %s): the temperature of grain %d is %g K in step " BIGINT_FORMAT
-      ", but must be > 0 and finite. The fluid's is %g K, the heat transfer coefficient of the grain %g W/K (>= 0), its mass "
-      "%g kg. Look for what is not finite: a fluid that diverges, or a fix that changes the property Temp",
-      id, atom->tag[i], temperature, update->ntimestep, fluidTemperature_->vector_atom[i], coefficient, atom->rmass[i]);
+      ", that of the fluid %g K; both must be > 0 and finite. The heat transfer coefficient of the grain is %g W/K (>= 0), its "
+      "mass %g kg. Look for what is not finite: a fluid that diverges, or a fix that changes the property Temp",
+      id, atom->tag[i], temperature, update->ntimestep, fluid, coefficient, atom->rmass[i]);
     fflush(NULL);    // the log and dumps up to here
     error->one(FLERR, text);
     std::abort();    // never reached: Error::one ends the program

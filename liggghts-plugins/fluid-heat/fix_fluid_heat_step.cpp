@@ -24,7 +24,8 @@ static const int BIOT_EVERY = 1000;
 
 /* ----------------------------------------------------------------------
    Heat for the time of one step. In style uniform the slip is that of the middle of the step, where the
-   last kick of velocity Verlet is taken off again: with it the step is of second order in time.
+   last kick of velocity Verlet is taken off again: with it the step is of second order in time. A grain
+   that the coupling has not seen has coefficient and fluid temperature 0.
 ------------------------------------------------------------------------- */
 
 template<bool UNIFORM>
@@ -53,7 +54,8 @@ bool FixFluidHeat::step()
     temperatures[i] = after;
     heats[i] += received;
     latest_ += received;
-    wrong |= !(x >= 0.0) || !(after > 0.0 && after < HUGE_VAL);    // also if one is no number
+    // also if one is no number
+    wrong |= !(x >= 0.0) || !(after > 0.0 && after < HUGE_VAL) || (x > 0.0 && !(fluids[i] > 0.0));
   }
   return wrong;
 }
