@@ -64,6 +64,20 @@ std::string OutputFile::check_kind(const std::string &path)
   return access(path.c_str(), W_OK) == 0 ? "" : cannot_write(path);
 }
 
+/* ----------------------------------------------------------------------
+   names of columns without those of the temperature
+------------------------------------------------------------------------- */
+
+static const char TEMPERATURE[] = ",temperature";
+
+static std::string other_columns(std::string line)
+{
+  std::size_t at;
+  while ((at = line.find(TEMPERATURE)) != std::string::npos)
+    line.erase(at, line.find(',', at + 1) - at);
+  return line;
+}
+
 /* ---------------------------------------------------------------------- */
 
 std::string OutputFile::check_own(const std::string &path, const std::string &line,
@@ -73,11 +87,15 @@ std::string OutputFile::check_own(const std::string &path, const std::string &li
   if (!fault.empty()) return fault;
   FILE *file = fopen(path.c_str(), "r");
   if (!file) return errno == ENOENT ? "" : cannot_write(path);
-  std::string found(line.size() + 1, '\0');
-  found.resize(fread(&found[0], 1, found.size(), file));
-  fclose(file);
   const std::string own = line + "\n";
+  const std::size_t more = 200;    // room for the columns of the temperature
+  std::string begin(own.size() + more, '\0');
+  begin.resize(fread(&begin[0], 1, begin.size(), file));
+  fclose(file);
+  const std::string found = begin.substr(0, own.size());
   if (found == own || (cut && own.compare(0, found.size(), found) == 0)) return "";
+  const std::size_t end = begin.find('\n');
+  if (end != std::string::npos && other_columns(begin.substr(0, end)) == other_columns(line)) return "";
   return "'" + path + "' exists and was not written by fix " + owner + ", so it is not "
     "overwritten; move it away or give another path";
 }

@@ -21,7 +21,8 @@ namespace OutputFile {
   std::string check_kind(const std::string &path);
 
   // There is nothing at this path, or a file that begins with this line. owner: the style of the
-  // fix that writes it. cut: the line may be cut off, as a killed run leaves it.
+  // fix that writes it. cut: the line may be cut off, as a killed run leaves it. A table of the same
+  // fix may have columns of temperature or not: grains have got one since, or none any more.
   std::string check_own(const std::string &path, const std::string &line, const std::string &owner,
     bool cut = false);
 

@@ -19,7 +19,8 @@ file(WRITE ${CMAKE_BINARY_DIR}/built-for "OpenFOAM ${GRAINJET_FOAM_VERSION}\n${h
 function(grainjet_install component binaries data pages)
   set(part COMPONENT ${component} EXCLUDE_FROM_ALL)
   set(read_only PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
-  install(TARGETS liggghtsloader hertzcgplugin collisionstatsplugin platestatsplugin surfacestatsplugin fluidforceplugin wallroughnessplugin
+  install(TARGETS liggghtsloader hertzcgplugin collisionstatsplugin platestatsplugin surfacestatsplugin fluidforceplugin fluidheatplugin
+    wallroughnessplugin
     LIBRARY DESTINATION ${binaries} ${part} ${read_only})
   foreach(name jetTurbulenceModels jetVoFphaseTurbulenceModels jetTwoPhaseMixtureTurbulenceModels
       particleSamplingPlanes liggghtsCoupling)

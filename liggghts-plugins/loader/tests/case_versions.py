@@ -31,8 +31,8 @@ class Versions(LoaderCase):
             self.assertEqual(result.output.splitlines().count(f"Grainjet {VERSION}"), 1, result)
 
     def test_every_part_is_stamped(self):
-        for name in ("hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "surfacestatsplugin", "fluidforceplugin", "wallroughnessplugin",
-                     "liggghtsloader"):
+        for name in ("hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "surfacestatsplugin", "fluidforceplugin", "fluidheatplugin",
+                     "wallroughnessplugin", "liggghtsloader"):
             file = grainjet.ROOT / f"lib/{name}.so"
             symbols = subprocess.run(["nm", "-D", file], check=True, stdout=subprocess.PIPE, text=True).stdout
             self.assertIn("liggghtsplugin_grainjet", symbols, name)

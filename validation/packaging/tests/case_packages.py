@@ -18,7 +18,8 @@ import grainjet
 
 BUILD = grainjet.ROOT/"build"
 VERSION = re.search(r'VERSION "(.*)"', (grainjet.ROOT/"liggghts-plugins/host/grainjet_version.h").read_text())[1]
-PLUGINS = ("hertzcgplugin.so", "collisionstatsplugin.so", "platestatsplugin.so", "surfacestatsplugin.so", "fluidforceplugin.so", "wallroughnessplugin.so")
+PLUGINS = ("hertzcgplugin.so", "collisionstatsplugin.so", "platestatsplugin.so", "surfacestatsplugin.so", "fluidforceplugin.so", "fluidheatplugin.so",
+           "wallroughnessplugin.so")
 LIBRARIES = ("libliggghtsCoupling.so", "libjetTurbulenceModels.so", "libparticleSamplingPlanes.so",
              "libjetVoFphaseTurbulenceModels.so", "libjetTwoPhaseMixtureTurbulenceModels.so")
 CASES = ("quickJet/Allrun", "fluidBed/Allrun", "waterJet/Allrun", "sandblast/Allrun", "elbow/Allrun", "tutorial/fluid/0/U", "common/job.sh", "parameters.toml")
