@@ -89,7 +89,7 @@ class FixFluidHeat : public Fix {
   double sums_[4];                          // heat of the step, sum of m c, of m c T, heat of all steps
 
   void read_materials();
-  std::vector<double> per_type(const char *name, const char *what, bool needed);
+  std::vector<double> per_type(const char *name, const char *unit, bool needed);
   void check_other_fixes();
   void check_temperatures();
   void refresh_exchange();

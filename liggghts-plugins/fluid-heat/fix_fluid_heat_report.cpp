@@ -17,8 +17,8 @@
 #include "force.h"
 #include "update.h"
 
-#include <cmath>
 #include <climits>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
