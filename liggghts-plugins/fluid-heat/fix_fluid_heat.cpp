@@ -61,6 +61,11 @@ FixFluidHeat::FixFluidHeat(LAMMPS *lmp, int narg, char **arg) :
   if (present && !std::isnan(temperature_))
     arguments.fail(std::string("keyword temperature, but there is a property Temp already (fix ") + present->id
       + "), whose temperatures count; take one of them out");
+  if (present && !present->restart_peratom && comm->me == 0) {
+    const std::string text = std::string("Fix fluid/heat (ID ") + id + "): the temperatures of the property Temp (fix "
+      + present->id + ") are not kept in restart files; write fix " + present->id + " all property/atom Temp scalar yes ...";
+    error->warning(FLERR, text.c_str());
+  }
   if (!present && !uniform_ && std::isnan(temperature_))
     arguments.fail("grains have no temperature; add the keyword temperature <K>, or make the property Temp before, "
       "for instance fix Temp all property/atom Temp scalar yes yes no 300");

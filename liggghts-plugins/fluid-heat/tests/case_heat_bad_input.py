@@ -126,6 +126,13 @@ class BadInput(HeatCase):
             fix s all heat/gran initial_temperature 350
         """, "(ID s) has replaced the temperatures; put it before fix fluid/heat")
 
+    def test_temperatures_that_do_not_restart(self):
+        for word, warnings in (("yes", 0), ("no", 1)):
+            result = self.liggghts(self.bad_script(f"{CAPACITY}\nfix Temp all property/atom Temp scalar {word} yes no 300\n"
+                                                   f"fix h all fluid/heat uniform 300 {AIR}"))
+            self.assertEqual(result.output.count("WARNING: Fix fluid/heat (ID h): the temperatures of the property Temp (fix Temp) "
+                                                 "are not kept in restart files"), warnings)
+
     def test_fluid_that_cannot_be(self):
         """What a coupling may hand over: no number, absolute zero, a negative coefficient."""
         for settings, words in (
