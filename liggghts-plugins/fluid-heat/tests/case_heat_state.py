@@ -101,6 +101,27 @@ class State(HeatCase):
             numpy.testing.assert_array_equal(self.dump("restarted.dump"), expected)
             numpy.testing.assert_allclose(tables.thermo(result.output)[-1], tables.thermo(through.output)[-1], rtol=1e-12)
 
+    def test_restart_from_the_middle_of_a_coupled_run(self):
+        """Beside fix fluid/force coupled, from a file that a running interval has left: bit for bit, on the same ranks."""
+        fluid = f"fix f all fluid/force coupled\n{COUPLED}\n"
+        end = f"fix i all nve/sphere\n{self.dump_command('{}', 190, ['x', *STATE])}\n"
+        plugins = "plugin load fluidforceplugin.so"
+        self.liggghts(self.script(f"""
+            plugin load {PROBE}
+            {fluid}
+            {FLUIDS}
+            fix d all exchange/probe 100 8.0 300.0 2e-8 1e-9 heat 500 2e-5
+            {end.format("through.dump")}
+            restart 120 half.*.restart
+            run 190
+        """, plugins=plugins), 2)
+        self.liggghts(self.head(plugins=plugins) + f"read_restart half.120.restart\n{SETTINGS.format(dt=1e-5)}\n{fluid}"
+                      + end.format("restarted.dump") + "run 70", 2)
+        through = self.dump("through.dump")
+        self.assertTrue((through[:, 1 + COEFFICIENT] == 2e-5).all())
+        self.assertGreater(abs(through[:, 1 + HEAT]).min(), 0)
+        numpy.testing.assert_array_equal(self.dump("restarted.dump"), through)
+
     def test_restart_of_uniform(self):
         """The same with style uniform and the script's own property Temp."""
         fluid = f"fix Temp all property/atom Temp scalar yes yes no 400\nfix h all fluid/heat uniform 300 {AIR} velocity 5 0 0"
