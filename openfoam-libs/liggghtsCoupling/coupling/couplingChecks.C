@@ -6,6 +6,7 @@
 
 #include "couplingChecks.H"
 #include "couplingEntries.H"
+#include "energyExchange.H"
 #include "entryError.H"
 
 #include <sstream>
@@ -176,6 +177,32 @@ void Foam::couplingChecks::sameGravity(const vector* solver, const vector* scrip
                 << "script " << script_ << ": " << message.str().c_str() << exit(FatalIOError);
         }
     );
+}
+
+
+void Foam::couplingChecks::heat(const liggghtsSession::requests& needed) const
+{
+    if (!session_.hasHeat() || needed.heat)
+    {
+        return;
+    }
+    const bool energy = !energyExchange::fieldName(mesh_).empty();
+    couplingEntries::onMaster
+    (
+        [&]()
+        {
+            if (energy)
+            {
+                FatalIOErrorInEntry(dict_, "forces")
+                    << "script " << script_ << " has fix fluid/heat coupled, but forces has no model heat, so"
+                    << " the grains would keep their temperature. Add heat { model RanzMarshall; } to forces, or"
+                    << " remove the fix" << exit(FatalIOError);
+            }
+        }
+    );
+    WarningInFunction
+        << "script " << script_ << " has fix fluid/heat coupled, but the solver has no energy equation: fluid and"
+        << " grains exchange momentum only, and the grains keep their temperature. This is said once" << endl;
 }
 
 

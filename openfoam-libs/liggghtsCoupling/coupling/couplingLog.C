@@ -152,7 +152,8 @@ Foam::couplingLog::couplingLog
     const fvMesh& mesh,
     const bool twoWay,
     const bool full,
-    const bool energy
+    const bool energy,
+    const bool heat
 )
 :
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
@@ -175,7 +176,7 @@ Foam::couplingLog::couplingLog
     latestToGrains_(Zero),
     toFluid_(Zero),
     owed_(Zero),
-    joule_(energy ? new energyBalance(full) : nullptr)
+    joule_(energy ? new energyBalance(full, heat) : nullptr)
 {
     if (Pstream::master())
     {
@@ -191,6 +192,7 @@ void Foam::couplingLog::closeFluidStep
     grainMomentum& momentum,
     const voidFractionEquations* equations,
     const energyExchange* energy,
+    const heatExchange* heat,
     const compressibleVoidFraction* gas
 )
 {
@@ -206,7 +208,7 @@ void Foam::couplingLog::closeFluidStep
     }
     if (energy)
     {
-        joule_->closeFluidStep(*energy, gas);
+        joule_->closeFluidStep(*energy, heat, gas);
     }
 }
 
@@ -283,7 +285,7 @@ void Foam::couplingLog::write(const step& values)
 
     if (joule_)
     {
-        joule_->add(values.received.work, first);
+        joule_->add(values.received.work, values.received.heat, first);
     }
 
     const scalar done = time.value() - startTime_;

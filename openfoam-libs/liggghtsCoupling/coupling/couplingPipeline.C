@@ -54,6 +54,7 @@ void Foam::couplingPipeline::start()
     steps_.check(session_);
     checks.overlap();
     checks.grains();
+    checks.heat(forces_.requests());
 
     const liggghtsSession::simulationBox box = session_.box();
     vector period(Zero);
@@ -71,16 +72,18 @@ void Foam::couplingPipeline::start()
     grains_.reset(new ownedGrains(session_, locator_));
     if (former_.continues())
     {
-        DynamicList<scalar> coefficients;
-        averages_.restoreShares(*grains_, coefficients);
-        if (debts_)
+        DynamicList<fluidCoefficients> acted;
+        averages_.restoreShares(*grains_, acted);
+
+        // A former run with fixed steps may not have written its step
+        const scalar dt =
+            former_.deltaT() > 0 ? former_.deltaT() : fluid_.mesh().time().deltaTValue();
+        for (debtTransport* debts : {debts_.get(), heatDebts_.get()})
         {
-            // A former run with fixed steps may not have written its step
-            const scalar dt = former_.deltaT();
-            debts_->restore
-            (
-                *grains_, coefficients, dt > 0 ? dt : fluid_.mesh().time().deltaTValue()
-            );
+            if (debts)
+            {
+                debts->restore(*grains_, acted, dt);
+            }
         }
     }
     else
@@ -88,54 +91,6 @@ void Foam::couplingPipeline::start()
         grains_->clearOwners();
         grains_->locate([](const label, const UList<grainData>&){});
         checks.anyInside(grains_->numbers().outsideMesh);
-    }
-}
-
-
-Foam::wordList Foam::couplingPipeline::stateFiles() const
-{
-    wordList names(momentum_.momentum().files());
-    if (energy_)
-    {
-        names.append(energy_->files());
-    }
-    if (equations_)
-    {
-        names.append(equations_->files());
-    }
-    return names;
-}
-
-
-void Foam::couplingPipeline::writeState()
-{
-    const tmp<vectorField> tstress
-    (
-        equations_ ? equations_->write() : tmp<vectorField>(vectorField::null())
-    );
-    grainMomentum& momentum = momentum_.momentum();
-    if (!momentum.debts())
-    {
-        return;
-    }
-
-    // As if the step were over: the continued run does not know the grains that were removed in it
-    vectorField owed(momentum.presentDebts(tstress()));
-    vectorField lost(*momentum.debtsOfLost());
-    scalarField energy(energy_ ? energy_->debts() : scalarField());
-    scalarField lostEnergy(energy_ ? energy_->debtsOfLost() : scalarField());
-    if (debts_)
-    {
-        debts_->retire
-        (
-            *grains_, averages_, fluid_,
-            debtTransport::fields{owed, energy_ ? &energy : nullptr, lost, energy_ ? &lostEnergy : nullptr}
-        );
-    }
-    momentum.write(owed, lost);
-    if (energy_)
-    {
-        energy_->write(energy, lostEnergy);
     }
 }
 
@@ -185,6 +140,12 @@ Foam::couplingPipeline::couplingPipeline
       ? new energyExchange(fluid)
       : nullptr
     ),
+    heat_
+    (
+        energy_ && forces_.requests().heat
+      ? new heatExchange(fluid, energyExchange::fieldName(fluid.mesh()))
+      : nullptr
+    ),
     debts_
     (
         couplingEntries::twoWay(dict) && momentum_.momentum().debts()
@@ -192,9 +153,18 @@ Foam::couplingPipeline::couplingPipeline
         (
             debtTransport::fields
             {
-                *momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr,
-                *momentum_.momentum().debtsOfLost(), energy_ ? &energy_->debtsOfLost() : nullptr
+                momentum_.momentum().debts(), energy_ ? &energy_->debts() : nullptr,
+                momentum_.momentum().debtsOfLost(), energy_ ? &energy_->debtsOfLost() : nullptr
             }
+        )
+      : nullptr
+    ),
+    heatDebts_
+    (
+        heat_
+      ? new debtTransport
+        (
+            debtTransport::fields{nullptr, &heat_->debts(), nullptr, &heat_->debtsOfLost()}
         )
       : nullptr
     ),
@@ -206,7 +176,8 @@ Foam::couplingPipeline::couplingPipeline
     ),
     log_
     (
-        fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict), bool(energy_)
+        fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict), bool(energy_),
+        bool(heat_)
     )
 {
     if (energy_)
@@ -268,13 +239,26 @@ void Foam::couplingPipeline::advance()
     {
         equations_->closeStep();
     }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), gas_);
+    if (heat_)
+    {
+        heat_->close();
+    }
+    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), heat_.get(), gas_);
 
     const bool moved = debts_ && debts_->take(*grains_, averages_, fluid_);
+    const bool heatMoved = heatDebts_ && heatDebts_->take(*grains_, averages_, fluid_);
     step.cells = averages_.update(*grains_);
+    if (forces_.requests().heat)
+    {
+        averages_.updateTemperature(*grains_);
+    }
     if (moved)
     {
         debts_->give(*grains_, averages_);
+    }
+    if (heatMoved)
+    {
+        heatDebts_->give(*grains_, averages_);
     }
     if (equations_)
     {
@@ -286,6 +270,10 @@ void Foam::couplingPipeline::advance()
     if (debts_)
     {
         debts_->remember(records_, fluid_.mesh().time().deltaTValue());
+    }
+    if (heatDebts_)
+    {
+        heatDebts_->remember(records_, fluid_.mesh().time().deltaTValue());
     }
 
     const scalar before = clock.elapsedTime();
@@ -299,7 +287,7 @@ void Foam::couplingPipeline::advance()
     step.received = momentum_.receive
     (
         *grains_, forces_, records_, averages_,
-        equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get()
+        equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
     );
 
     step.counts = session_.counts();
@@ -328,6 +316,10 @@ void Foam::couplingPipeline::addEnergySup(fvMatrix<scalar>& eqn)
         gas_->addEnergySup(eqn);
     }
     energy_->addSup(eqn, momentum_.momentum());
+    if (heat_)
+    {
+        heat_->addSup(eqn);
+    }
 }
 
 

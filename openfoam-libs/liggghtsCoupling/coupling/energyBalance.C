@@ -12,11 +12,17 @@
 void Foam::energyBalance::closeFluidStep
 (
     const energyExchange& energy,
+    const heatExchange* heat,
     const compressibleVoidFraction* gas
 )
 {
     toFluid_ = energy.received();
     owed_ = energy.owed();
+    if (heat)
+    {
+        toFluid_ += heat->received();
+        owed_ += heat->owed();
+    }
     if (gas)
     {
         toFluid_ += gas->receivedEnergy();
@@ -26,11 +32,11 @@ void Foam::energyBalance::closeFluidStep
 }
 
 
-void Foam::energyBalance::add(const scalar toGrains, const bool first)
+void Foam::energyBalance::add(const scalar work, const scalar heat, const bool first)
 {
     const vector sums = returnReduce
     (
-        vector(toGrains, toFluid_, owed_), sumOp<vector>()
+        vector(work + heat, toFluid_, owed_), sumOp<vector>()
     );
     toFluid_ = sums[1];
     owed_ = sums[2];
@@ -45,6 +51,7 @@ void Foam::energyBalance::add(const scalar toGrains, const bool first)
     sumExchanged_ += mag(latestToGrains_);
     sumToFluid_ += toFluid_;
     latestToGrains_ = sums[0];
+    latestHeat_ = returnReduce(heat, sumOp<scalar>());
     imbalance_ =
         sumExchanged_ > 0
       ? mag(sumToGrains_ + sumToFluid_ + owed_ - owedBefore_)/sumExchanged_
@@ -59,6 +66,10 @@ Foam::wordList Foam::energyBalance::columns() const
     {
         names.append("gasMass");
     }
+    if (heat_)
+    {
+        names.append("heatToGrains");
+    }
     return names;
 }
 
@@ -67,7 +78,10 @@ Foam::string Foam::energyBalance::header() const
 {
     string text
     (
-        "energy [J]: work of forces with reaction on the grains (energyToGrains) in this step; to the gas and"
+        heat_
+      ? "energy [J]: work of forces with reaction on the grains and heat (energyToGrains), heat alone"
+        " (heatToGrains) in this step; to the gas and still owed to it: step before"
+      : "energy [J]: work of forces with reaction on the grains (energyToGrains) in this step; to the gas and"
         " still owed to it: step before"
     );
     if (full_)
@@ -81,6 +95,10 @@ Foam::string Foam::energyBalance::header() const
 void Foam::energyBalance::print(Ostream& os) const
 {
     os  << ", energy to grains " << latestToGrains_ << " J, imbalance " << imbalance_;
+    if (heat_)
+    {
+        os  << ", heat to grains " << latestHeat_ << " J";
+    }
     if (full_)
     {
         os  << ", gas " << mass_ << " kg";
@@ -94,6 +112,10 @@ void Foam::energyBalance::write(Ostream& os) const
     if (full_)
     {
         os  << tab << mass_;
+    }
+    if (heat_)
+    {
+        os  << tab << latestHeat_;
     }
 }
 

@@ -9,7 +9,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "compressibleVoidFraction.H"
-#include "basicThermo.H"
 #include "ddtScheme.H"
 #include "fvcDdt.H"
 #include "fvcDiv.H"
@@ -18,6 +17,7 @@ Description
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 #include "fvMatrices.H"
+#include "gasThermo.H"
 #include "linear.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -38,12 +38,9 @@ tmp<fv::ddtScheme<scalar>> schemeOf(const volScalarField& rho, const word& name)
 }
 
 
-// Effective diffusivity of the energy at faces [kg/m s]. A static cast, since the type information of
-// basicThermo lies in a library that solvers of an incompressible fluid do not load
+// Effective diffusivity of the energy at faces [kg/m s]
 tmp<surfaceScalarField> diffusivity(const fvMesh& mesh)
 {
-    const auto& thermo =
-        static_cast<const basicThermo&>(mesh.lookupObject<IOdictionary>("thermophysicalProperties"));
     const auto* alphat = mesh.cfindObject<volScalarField>("alphat");
     const tmp<volScalarField> tnone
     (
@@ -51,7 +48,7 @@ tmp<surfaceScalarField> diffusivity(const fvMesh& mesh)
       ? tmp<volScalarField>(*alphat)
       : volScalarField::New("alphat", mesh, dimensionedScalar(dimDensity*dimViscosity, Zero))
     );
-    return linearInterpolate(thermo.alphaEff(tnone()));
+    return linearInterpolate(gasThermo::of(mesh).alphaEff(tnone()));
 }
 
 } // End anonymous namespace

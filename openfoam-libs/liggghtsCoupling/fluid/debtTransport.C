@@ -9,26 +9,18 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::debtTransport::weight
-(
-    const scalar coefficient,
-    const scalar mass,
-    const scalar dt
-)
-{
-    return -mass*std::expm1(-coefficient*dt/mass);
-}
-
-
 void Foam::debtTransport::add
 (
-    vectorField& momentum,
+    vectorField* momentum,
     scalarField* energy,
     const label celli,
     const debt& whole
 )
 {
-    momentum[celli] += vector(whole[0], whole[1], whole[2]);
+    if (momentum)
+    {
+        (*momentum)[celli] += vector(whole[0], whole[1], whole[2]);
+    }
     if (energy)
     {
         (*energy)[celli] += whole[3];
@@ -44,85 +36,16 @@ void Foam::debtTransport::scale
 )
 {
     // Nothing is 0, not -0: a run that is continued would differ in the sign
-    vector& momentum = debts.momentum[celli];
-    momentum = factor == 0 ? vector::zero : factor*momentum;
+    if (debts.momentum)
+    {
+        vector& momentum = (*debts.momentum)[celli];
+        momentum = factor == 0 ? vector::zero : factor*momentum;
+    }
     if (debts.energy)
     {
         scalar& energy = (*debts.energy)[celli];
         energy = factor == 0 ? 0 : factor*energy;
     }
-}
-
-
-void Foam::debtTransport::sumUp
-(
-    const UList<scalar>& weights,
-    DynamicList<scalar>& sums,
-    const ownedGrains& grains,
-    cellAverages& averages
-)
-{
-    occupiedCells& occupied = averages.cells();
-    sums.clear();
-    averages.shares().deposit<scalar>
-    (
-        weights.size(),
-        [&](const label g){ return grains.cell(g); },
-        [&](const label g){ return weights[g]; },
-        [&](const label celli, const scalar fraction, const scalar w)
-        {
-            occupied.sum(sums, celli) += fraction*w;
-        }
-    );
-    sums.setSize(occupied.cells().size(), Zero);
-}
-
-
-bool Foam::debtTransport::isStiff
-(
-    const labelUList& cells,
-    const carrierFluid& fluid,
-    const scalar least
-)
-{
-    const scalarField& V = fluid.mesh().V();
-    const tmp<volScalarField> trho(fluid.rho());
-    bool any = false;
-    forAll(sums_, i)
-    {
-        const label celli = cells[i];
-        const scalar inertia = trho()[celli]*fluid.inertiaVoidFraction(celli)*V[celli];
-        any = any || sums_[i] > stiff_*inertia;
-        if (sums_[i] < least*inertia)
-        {
-            sums_[i] = 0;
-        }
-    }
-    return returnReduce(any, orOp<bool>());
-}
-
-
-bool Foam::debtTransport::stiff
-(
-    const ownedGrains& grains,
-    cellAverages& averages,
-    const carrierFluid& fluid
-)
-{
-    if (!returnReduce(weight_.size(), sumOp<label>()))
-    {
-        return false;
-    }
-    sumUp(weight_, sums_, grains, averages);
-
-    // A filter makes no sum per volume larger
-    const bool any = isStiff(averages.cells().cells(), fluid, 0);
-    if (!any || !averages.filter())
-    {
-        return any;
-    }
-    averages.filter()->spread(averages.cells(), sums_);
-    return isStiff(averages.cells().cells(), fluid, negligible_);
 }
 
 
@@ -146,7 +69,7 @@ void Foam::debtTransport::divide
         {
             for (direction k = 0; k < 3; ++k)
             {
-                whole[k] = debts.momentum[celli][k];
+                whole[k] = debts.momentum ? (*debts.momentum)[celli][k] : 0;
             }
             whole[3] = debts.energy ? (*debts.energy)[celli] : 0;
         }
@@ -226,35 +149,6 @@ Foam::debtTransport::debtTransport(const fields& debts)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::debtTransport::remember
-(
-    const UList<grainForces::record>& records,
-    const scalar dt
-)
-{
-    ownedGrains::makeRoom(weight_, records.size());
-    for (const grainForces::record& r : records)
-    {
-        weight_.append(weight(r.dragCoefficient/r.voidFraction, r.mass, dt));
-    }
-}
-
-
-void Foam::debtTransport::restore
-(
-    const ownedGrains& grains,
-    const UList<scalar>& coefficients,
-    const scalar dt
-)
-{
-    weight_.clear();
-    forAll(coefficients, g)
-    {
-        weight_.append(weight(coefficients[g], grains.grain(g).mass, dt));
-    }
-}
-
 
 void Foam::debtTransport::retire
 (

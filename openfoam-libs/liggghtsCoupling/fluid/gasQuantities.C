@@ -10,7 +10,7 @@ Description
 
 #include "fluidQuantity.H"
 #include "addToRunTimeSelectionTable.H"
-#include "basicThermo.H"
+#include "gasThermo.H"
 #include "releases.H"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
@@ -26,14 +26,10 @@ class gasQuantity
 {
 protected:
 
-    //- The thermodynamics of the solver. A static cast, since the type information of basicThermo lies in
-    //  a library that solvers of an incompressible fluid do not load
+    //- The thermodynamics of the solver
     const basicThermo& thermo() const
     {
-        return static_cast<const basicThermo&>
-        (
-            fluid_.mesh().lookupObject<IOdictionary>("thermophysicalProperties")
-        );
+        return gasThermo::of(fluid_.mesh());
     }
 
 
@@ -49,6 +45,18 @@ public:
     {
         return true;
     }
+};
+
+
+//- One of drag laws that know the Mach number
+class machQuantity
+:
+    public gasQuantity
+{
+public:
+
+    using gasQuantity::gasQuantity;
+
     virtual string missing() const override
     {
         return
@@ -63,12 +71,35 @@ public:
 };
 
 
-struct heatCapacityRatioQuantity
+//- One of heat
+class heatQuantity
 :
     public gasQuantity
 {
-    TypeName("gamma");
+public:
+
     using gasQuantity::gasQuantity;
+
+    virtual string missing() const override
+    {
+        return
+            fluid_.compressible()
+          ? string()
+          : string
+            (
+                "the solver has no thermodynamics: it has not read constant/thermophysicalProperties. Take"
+                " rhoPimpleFoam, sonicFoam or buoyantPimpleFoam"
+            );
+    }
+};
+
+
+struct heatCapacityRatioQuantity
+:
+    public machQuantity
+{
+    TypeName("gamma");
+    using machQuantity::machQuantity;
 
     virtual tmp<volScalarField> scalarField() const override
     {
@@ -79,10 +110,10 @@ struct heatCapacityRatioQuantity
 
 struct speedOfSoundQuantity
 :
-    public gasQuantity
+    public machQuantity
 {
     TypeName("speedOfSound");
-    using gasQuantity::gasQuantity;
+    using machQuantity::machQuantity;
 
     // Compressibility at constant temperature [s2/m2]
     const volScalarField& psi() const
@@ -92,7 +123,7 @@ struct speedOfSoundQuantity
 
     virtual string missing() const override
     {
-        const string noGas(gasQuantity::missing());
+        const string noGas(machQuantity::missing());
         if (!noGas.empty() || gMin(psi().primitiveField()) > 0)
         {
             return noGas;
@@ -110,12 +141,42 @@ struct speedOfSoundQuantity
     }
 };
 
+
+struct specificHeatQuantity
+:
+    public heatQuantity
+{
+    TypeName("specificHeat");
+    using heatQuantity::heatQuantity;
+
+    virtual tmp<volScalarField> scalarField() const override
+    {
+        return thermo().Cp();
+    }
+};
+
+
+struct conductivityQuantity
+:
+    public heatQuantity
+{
+    TypeName("conductivity");
+    using heatQuantity::heatQuantity;
+
+    virtual tmp<volScalarField> scalarField() const override
+    {
+        return thermo().kappa();
+    }
+};
+
 #define makeGasQuantity(Class)                                                \
     defineTypeNameAndDebug(Class, 0);                                         \
     addToRunTimeSelectionTable(fluidQuantity, Class, dictionary);
 
 makeGasQuantity(heatCapacityRatioQuantity)
 makeGasQuantity(speedOfSoundQuantity)
+makeGasQuantity(specificHeatQuantity)
+makeGasQuantity(conductivityQuantity)
 
 } // End anonymous namespace
 } // End namespace Foam

@@ -8,17 +8,32 @@
 #include "continuedField.H"
 #include "surfaceFields.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::lostDebts::lostDebts(const carrierFluid& fluid)
+:
+    fluid_(fluid),
+    momentum_
+    (
+        continuedField::header("momentumOfLostGrains", fluid.mesh(), IOobject::NO_WRITE),
+        fluid.mesh(),
+        dimensionedVector(dimForce*dimTime, Zero)
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::lostDebts::share
 (
+    const carrierFluid& fluid,
     const label celli,
     const scalar rho,
     const scalar dt
-) const
+)
 {
-    const fvMesh& mesh = fluid_.mesh();
-    const surfaceScalarField& phi = fluid_.phi();
+    const fvMesh& mesh = fluid.mesh();
+    const surfaceScalarField& phi = fluid.phi();
 
     // A flux of mass in a gas
     scalar through = 0;
@@ -34,23 +49,9 @@ Foam::scalar Foam::lostDebts::share
         const label i = facei - mesh.boundaryMesh()[patchi].start();
         through += i < flux.size() ? mag(flux[i]) : 0;
     }
-    const scalar volume = mesh.V()[celli]*(fluid_.compressible() ? rho : 1);
+    const scalar volume = mesh.V()[celli]*(fluid.compressible() ? rho : 1);
     return -std::expm1(-0.01*0.5*through*dt/volume);
 }
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::lostDebts::lostDebts(const carrierFluid& fluid)
-:
-    fluid_(fluid),
-    momentum_
-    (
-        continuedField::header("momentumOfLostGrains", fluid.mesh(), IOobject::NO_WRITE),
-        fluid.mesh(),
-        dimensionedVector(dimForce*dimTime, Zero)
-    )
-{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -73,7 +74,7 @@ Foam::Map<Foam::vector> Foam::lostDebts::pay(const scalar dt)
         {
             const scalar rho = trho()[celli];
             const scalar own = rho*mesh.V()[celli]*mag(U[celli]);
-            const vector now(share(celli, rho, dt)*min(1.0, own/mag(owed))*owed);
+            const vector now(share(fluid_, celli, rho, dt)*min(1.0, own/mag(owed))*owed);
             owed -= now;
             paid.insert(celli, now);
         }

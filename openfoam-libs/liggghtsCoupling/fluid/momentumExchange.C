@@ -38,10 +38,12 @@ void Foam::momentumExchange::deposit
                     (impulse_[g] & r.slip)/(dt*r.voidFraction*(magSqr(r.slip) + VSMALL));
                 slope = max(slope, min(seen, r.dragCoefficient/r.voidFraction));
             }
+            const scalar C = r.heatCapacity;
             return exchanged
             {
                 impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass,
-                work_.empty() ? 0 : work_[g]
+                work_.empty() ? 0 : work_[g], heat_.empty() ? 0 : heat_[g],
+                C > 0 ? -C*std::expm1(-r.heatTransferCoefficient*dt/C) : 0, C
             };
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
@@ -52,8 +54,31 @@ void Foam::momentumExchange::deposit
             sum.slope += fraction*e.slope;
             sum.mass += fraction*e.mass;
             sum.work += fraction*e.work;
+            sum.heat += fraction*e.heat;
+            sum.heatSlope += fraction*e.heatSlope;
+            sum.heatCapacity += fraction*e.heatCapacity;
         }
     );
+}
+
+
+void Foam::momentumExchange::setHeat
+(
+    heatExchange& heat,
+    const labelUList& cells,
+    const scalar dt
+) const
+{
+    scalarField received(cells.size());
+    scalarField slope(cells.size());
+    scalarField capacity(cells.size());
+    forAll(cells, i)
+    {
+        received[i] = exchanged_[i].heat;
+        slope[i] = exchanged_[i].heatSlope;
+        capacity[i] = exchanged_[i].heatCapacity;
+    }
+    heat.set(cells, received, slope, capacity, dt);
 }
 
 
@@ -94,7 +119,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     const UList<grainForces::record>& records,
     cellAverages& averages,
     const vectorField& stress,
-    energyExchange* energy
+    energyExchange* energy,
+    heatExchange* heat
 )
 {
     const fvMesh& mesh = dragCoefficient_.mesh();
@@ -114,11 +140,13 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     (
         impulse_,
         work_,
-        [&](const label celli, const vector& impulse, const scalar work)
+        heat_,
+        [&](const label celli, const vector& impulse, const scalar work, const scalar received)
         {
             exchanged& sum = averages.cells().sum(exchanged_, celli);
             sum.impulse += impulse;
             sum.work += work;
+            sum.heat += received;
         }
     );
     deposit(grains, records, averages, dt);
@@ -126,7 +154,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     {
         averages.filter()->spread
         (
-            averages.cells(), exchanged_, energy ? exchanged::all : exchanged::withoutWork
+            averages.cells(), exchanged_,
+            heat ? exchanged::all : energy ? exchanged::withoutHeat : exchanged::withoutEnergy
         );
     }
 
@@ -198,6 +227,10 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     if (energy)
     {
         energy->set(cells, work, dt);
+    }
+    if (heat)
+    {
+        setHeat(*heat, cells, dt);
     }
     return received;
 }

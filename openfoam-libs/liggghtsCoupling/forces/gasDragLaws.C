@@ -5,12 +5,16 @@
 
 Description
     The drag laws of liggghts-plugins/physics/drag/gas_drag.h, which know the Mach number. Speed of sound
-    and ratio of specific heats are those of the solver's gas in the grain's cell.
+    and ratio of specific heats are those of the solver's gas in the grain's cell. With the model heat
+    Henderson takes the temperature of each grain and that of the gas there.
 
 \*---------------------------------------------------------------------------*/
 
 #include "dragLaw.H"
 #include "addToRunTimeSelectionTable.H"
+#include "couplingEntries.H"
+#include "entryError.H"
+#include "heatTransfer.H"
 #include "physics/drag/gas_drag.h"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
@@ -33,6 +37,7 @@ class gasDragLaw
 
 protected:
 
+    //- \param law    coefficient(state of the gas, number of the grain)
     template<class Law>
     void evaluate
     (
@@ -55,7 +60,8 @@ protected:
                 {
                     {voidFraction[i], slipSpeed[i], grains.particleDiameter[i], rho[i], nu[i]},
                     speedOfSound[i], gamma[i]
-                }
+                },
+                i
             );
         }
     }
@@ -90,7 +96,11 @@ struct LothDragLaw
         lane& coefficient
     ) const override
     {
-        evaluate(grainjet::drag::loth, grains, slipSpeed, coefficient);
+        evaluate
+        (
+            [](const grainjet::drag::GasState& gas, const label){ return grainjet::drag::loth(gas); },
+            grains, slipSpeed, coefficient
+        );
     }
 };
 
@@ -99,7 +109,22 @@ class HendersonDragLaw
 :
     public gasDragLaw
 {
-    const grainjet::drag::Henderson law_;
+    //- The grains' temperature is known: the number of the gas' temperature. Else -1
+    label T_;
+
+    //- Their temperature over that of the gas where it is not
+    const scalar temperatureRatio_;
+
+    //- Stop if the ratio is stated although the temperature is known. For the master
+    static void checkRatio(const dictionary& dict)
+    {
+        if (dict.found("temperatureRatio"))
+        {
+            FatalIOErrorInEntry(dict, "temperatureRatio")
+                << "temperatureRatio together with the model heat, which knows the temperature of each"
+                << " particle. Remove temperatureRatio" << exit(FatalIOError);
+        }
+    }
 
 public:
 
@@ -114,7 +139,7 @@ public:
             {
                 "temperatureRatio",
                 knownEntries::rule(0.01, 100)
-               .means("temperature of the particles over that of the gas, 1 if absent")
+               .means("temperature of the particles over that of the gas without the model heat, 1 if absent")
                .like("1")
             }
         });
@@ -123,8 +148,16 @@ public:
     HendersonDragLaw(const dictionary& dict, forceNeeds& needs)
     :
         gasDragLaw(dict, needs),
-        law_(dict.lookupOrDefault<scalar>("temperatureRatio", 1))
-    {}
+        T_(-1),
+        temperatureRatio_(dict.lookupOrDefault<scalar>("temperatureRatio", 1))
+    {
+        if (heatTransfer::acts(needs.coupling()))
+        {
+            couplingEntries::onMaster([&](){ checkRatio(dict); });
+            needs.temperature();
+            T_ = needs.quantity("T");
+        }
+    }
 
     virtual void coefficient
     (
@@ -133,7 +166,15 @@ public:
         lane& coefficient
     ) const override
     {
-        evaluate(law_, grains, slipSpeed, coefficient);
+        const lane* T = T_ < 0 ? nullptr : grains.fluid(T_);
+        evaluate
+        (
+            [&](const grainjet::drag::GasState& gas, const label i)
+            {
+                return grainjet::drag::Henderson(T ? grains.temperature[i]/(*T)[i] : temperatureRatio_)(gas);
+            },
+            grains, slipSpeed, coefficient
+        );
     }
 };
 

@@ -85,6 +85,7 @@ void Foam::grainForces::fill
 {
     const bool spin = requests().spin;
     const bool impulse = requests().impulse;
+    const bool temperature = requests().needsTemperature();
     const label nStates = batch.nStateLanes();
     List<scalar> state(nStates);
 
@@ -115,6 +116,11 @@ void Foam::grainForces::fill
             {
                 batch.spin[k][i] = omega[k];
             }
+        }
+        if (temperature)
+        {
+            batch.temperature[i] = grains.temperature(g);
+            batch.heatCapacity[i] = grains.heatCapacity(g);
         }
         if (impulse)
         {
@@ -183,6 +189,8 @@ void Foam::grainForces::setActions
             action.torque = grainBatch::get(batch.torque, i);
         }
         action.addedMass = batch.addedMass[i];
+        action.temperature = batch.fluidTemperature[i];
+        action.heatTransferCoefficient = batch.heatTransferCoefficient[i];
         grains.set(first + i, action);
 
         if (nStates)
@@ -277,15 +285,26 @@ Foam::scalar Foam::grainForces::act
 
     scalar slipSum = 0;
     grainBatch batch(quantities_.firstLane(), needs_.firstState());
-    batch.clearSums(true, true, true);
+    batch.clearSums(true, true, true, true);
+
+    // A model that reads these without asking for them gets no number, which the fixes refuse
+    const auto fillWithNoNumber = [](grainBatch::lane& lane)
+    {
+        std::fill_n(lane.values, grainBatch::size, std::numeric_limits<scalar>::quiet_NaN());
+    };
     if (!requests().spin)
     {
-        // A model that reads it without asking for it gets no number, which fix fluid/force refuses
         for (grainBatch::lane& spin : batch.spin)
         {
-            std::fill_n(spin.values, grainBatch::size, std::numeric_limits<scalar>::quiet_NaN());
+            fillWithNoNumber(spin);
         }
     }
+    if (!requests().needsTemperature())
+    {
+        fillWithNoNumber(batch.temperature);
+        fillWithNoNumber(batch.heatCapacity);
+    }
+    const bool heat = requests().heat;
     for (label first = 0; first < n; first += grainBatch::size)
     {
         fill(batch, grains, first);
@@ -294,7 +313,7 @@ Foam::scalar Foam::grainForces::act
 
         batch.clearSums
         (
-            requests().nonReacting, requests().torque, requests().addedMass
+            requests().nonReacting, requests().torque, requests().addedMass, heat
         );
         const grainBatch::lane* U = batch.fluid(U_);
         for (direction k = 0; k < 3; ++k)
@@ -331,6 +350,7 @@ Foam::scalar Foam::grainForces::act
                 batch.Sp[i], batch.Sp[i] + batch.nonReactingSp[i], batch.mass[i],
                 batch.addedMass[i],
                 voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i],
+                batch.heatTransferCoefficient[i], heat ? batch.heatCapacity[i] : 0,
                 slip
             };
             slipSum += mag(slip);

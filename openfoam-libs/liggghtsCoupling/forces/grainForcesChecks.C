@@ -55,6 +55,10 @@ void Foam::grainForces::checkRequested(const grainBatch& batch) const
     {
         refuse("added mass, but has not called forceNeeds::addedMass() in its constructor");
     }
+    if (!requested.heat && anyIn(batch.heatTransferCoefficient))
+    {
+        refuse("heat transfer, but has not called forceNeeds::heat() in its constructor");
+    }
 }
 
 
@@ -81,6 +85,10 @@ void Foam::grainForces::checkCoefficients(const grainBatch& batch) const
     if (requests().torque && anyNegativeIn(batch.spinCoefficient))
     {
         refuse("a negative spinCoefficient: such a torque would speed up the spin");
+    }
+    if (requests().heat && anyNegativeIn(batch.heatTransferCoefficient))
+    {
+        refuse("a negative heatTransferCoefficient: heat would flow from cold to hot");
     }
 }
 

@@ -32,6 +32,12 @@ void Foam::ownedGrains::pack(const fluidAction& action, scalar* values) const
     if (session_.requested().addedMass)
     {
         values[0] = action.addedMass;
+        ++values;
+    }
+    if (session_.requested().heat)
+    {
+        values[0] = action.temperature;
+        values[1] = action.heatTransferCoefficient;
     }
 }
 
@@ -59,6 +65,12 @@ Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
     if (session_.requested().addedMass)
     {
         action.addedMass = values[0];
+        ++values;
+    }
+    if (session_.requested().heat)
+    {
+        action.temperature = values[0];
+        action.heatTransferCoefficient = values[1];
     }
     return action;
 }
@@ -101,6 +113,7 @@ Foam::ownedGrains::ownedGrains
     route_(locator.mesh()),
     grains_(),
     exchange_(),
+    heats_(),
     nState_(0),
     nExtras_(0),
     nAction_(0),
@@ -114,10 +127,12 @@ Foam::ownedGrains::ownedGrains
     {
         nState_ += state.initial.size();
     }
-    nExtras_ = nState_ + (requested.spin ? 3 : 0) + (requested.impulse ? 3 : 0);
+    nExtras_ =
+        nState_ + (requested.spin ? 3 : 0) + (requested.needsTemperature() ? 2 : 0)
+      + (requested.impulse ? 3 : 0);
     nAction_ =
         2 + 7 + (requested.nonReacting ? 4 : 0) + (requested.torque ? 7 : 0)
-      + (requested.addedMass ? 1 : 0) + nState_;
+      + (requested.addedMass ? 1 : 0) + (requested.heat ? 2 : 0) + nState_;
 }
 
 
@@ -138,17 +153,20 @@ void Foam::ownedGrains::clearOwners()
 void Foam::ownedGrains::restoreOwners
 (
     const std::function<void(label, const UList<grainData>&)>& found,
-    DynamicList<scalar>& coefficients
+    DynamicList<fluidCoefficients>& acted
 )
 {
     const liggghtsSession::grainArrays grains = session_.grains();
     const liggghtsSession::fluidArrays exchange = session_.fluidForces();
+    const liggghtsSession::heatArrays heats = session_.heats();
+    const bool heated = session_.requested().heat;
 
     // Cells are looked for at the positions at the beginning of the interval. Meanwhile both
-    // positions of each grain, its impulse and its work are kept here
+    // positions of each grain, its impulse, its work and its heat are kept here
     List<Pair<vector>> positions(grains.n);
     vectorField impulses(grains.n);
     scalarField work(session_.requested().work ? grains.n : 0);
+    scalarField heat(heated ? grains.n : 0);
     boolList owned(grains.n);
     forAll(positions, atom)
     {
@@ -162,6 +180,10 @@ void Foam::ownedGrains::restoreOwners
         {
             work[atom] = exchange.work[atom];
         }
+        if (heated)
+        {
+            heat[atom] = heats.heat[atom];
+        }
         owned[atom] =
             owner[LAMMPS_NS::OWNER_RANK] >= 0 && owner[LAMMPS_NS::OWNER_PRESENT] > 0;
         if (owned[atom])
@@ -172,17 +194,24 @@ void Foam::ownedGrains::restoreOwners
 
     clearOwners();
     locate(found);
-    makeRoom(coefficients, size());
-    coefficients.setSize(size());
+    const auto ofAtom = [&](const label atom)
+    {
+        return fluidCoefficients
+        {
+            exchange_.dragCoefficient[atom], heated ? heats_.heatTransferCoefficient[atom] : 0
+        };
+    };
+    makeRoom(acted, size());
+    acted.setSize(size());
     for (label g = 0; g < size(); ++g)
     {
         const source from = sources_[g];
-        coefficients[g] = from.remote ? 0 : exchange_.dragCoefficient[from.index];
+        acted[g] = from.remote ? fluidCoefficients() : ofAtom(from.index);
     }
-    route_.forward<scalar>
+    route_.forward<fluidCoefficients>
     (
-        [&](const label item){ return exchange_.dragCoefficient[sentAtoms_[item]]; },
-        [&](const label g, const scalar coefficient){ coefficients[g] = coefficient; }
+        [&](const label item){ return ofAtom(sentAtoms_[item]); },
+        [&](const label g, const fluidCoefficients& found){ acted[g] = found; }
     );
     for (label g = 0; g < size(); ++g)
     {
@@ -204,6 +233,10 @@ void Foam::ownedGrains::restoreOwners
         if (!work.empty())
         {
             exchange.work[atom] = work[atom];
+        }
+        if (heated)
+        {
+            heats.heat[atom] = heat[atom];
         }
         if (!owned[atom])
         {

@@ -7,47 +7,6 @@
 #include "ownedGrains.H"
 #include "PstreamReduceOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-// An impulse on its way to the owner of the grain
-struct impulseParcel
-{
-    label number;
-    label present;
-    label removed;
-    vector impulse;
-
-    static constexpr scalar work = 0;
-
-    void setWork(const scalar)
-    {}
-};
-
-
-// The same with the work
-struct workParcel
-{
-    label number;
-    label present;
-    label removed;
-    vector impulse;
-    scalar work;
-
-    void setWork(const scalar given)
-    {
-        work = given;
-    }
-};
-
-template<> struct is_contiguous<impulseParcel> : std::true_type {};
-template<> struct is_contiguous<workParcel> : std::true_type {};
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Found>
@@ -55,6 +14,7 @@ void Foam::ownedGrains::locate(const Found& found)
 {
     grains_ = session_.grains();
     exchange_ = session_.fluidForces();
+    heats_ = session_.heats();
     const label me = Pstream::myProcNo();
 
     previousCells_.swap(cells_);
@@ -197,9 +157,16 @@ void Foam::ownedGrains::locate(const Found& found)
             [&](const label item, scalar* values)
             {
                 const label atom = sentAtoms_[item];
+                scalar* next = values;
                 if (session_.requested().spin)
                 {
-                    std::copy_n(grains_.spin[atom], 3, values);
+                    std::copy_n(grains_.spin[atom], 3, next);
+                    next += 3;
+                }
+                if (session_.requested().needsTemperature())
+                {
+                    next[0] = heats_.temperature[atom];
+                    next[1] = capacityOf(atom);
                 }
                 if (session_.requested().impulse)
                 {
@@ -229,136 +196,6 @@ void Foam::ownedGrains::locate(const Found& found)
         }
     }
     outsideMesh_ = returnReduce(outsideAtoms_.size(), sumOp<label>());
-}
-
-
-template<class Left>
-Foam::ownedGrains::received Foam::ownedGrains::receiveImpulse
-(
-    DynamicList<vector>& impulse,
-    DynamicList<scalar>& work,
-    const Left& left
-)
-{
-    return
-        session_.requested().work
-      ? receiveParcels<workParcel>(impulse, work, left)
-      : receiveParcels<impulseParcel>(impulse, work, left);
-}
-
-
-template<class Parcel, class Left>
-Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
-(
-    DynamicList<vector>& impulse,
-    DynamicList<scalar>& work,
-    const Left& left
-)
-{
-    const label n = session_.grains().n;
-    LAMMPS_NS::FluidForceExchange& removals = session_.fluidForce();
-    const liggghtsSession::fluidArrays exchange = session_.fluidForces();
-    const bool nonReacting = session_.requested().nonReacting;
-    const bool works = session_.requested().work;
-    const label me = Pstream::myProcNo();
-
-    makeRoom(impulse, cells_.size());
-    impulse.setSize(cells_.size(), Zero);
-    work.clear();
-    if (works)
-    {
-        makeRoom(work, cells_.size());
-        work.setSize(cells_.size(), Zero);
-    }
-    received all;
-
-    removed_.clear();
-    const auto arrive = [&](const Parcel& p)
-    {
-        if (p.present)
-        {
-            if (p.removed)
-            {
-                removed_.append(p.number);
-            }
-            impulse[p.number] += p.impulse;
-            if (works)
-            {
-                work[p.number] += p.work;
-            }
-        }
-        else
-        {
-            left(previousCells_[p.number], p.impulse, p.work);
-        }
-    };
-
-    List<DynamicList<Parcel>> parcels(Pstream::nProcs());
-
-    const auto book = [&]
-    (
-        const double* owner,
-        const double* given,
-        const scalar done,
-        const bool removed
-    )
-    {
-        const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
-        Parcel parcel;
-        parcel.number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
-        parcel.present = label(owner[LAMMPS_NS::OWNER_PRESENT]);
-        parcel.removed = removed;
-        parcel.impulse = vector(given[0], given[1], given[2]);
-        parcel.setWork(done);
-        all.reacting += parcel.impulse;
-        all.work += done;
-        if (rank == me)
-        {
-            arrive(parcel);
-        }
-        else if (rank >= 0)
-        {
-            parcels[rank].append(parcel);
-        }
-    };
-    const auto bookNonReacting = [&](const double* given)
-    {
-        all.nonReacting += vector(given[0], given[1], given[2]);
-    };
-
-    for (label atom = 0; atom < n; ++atom)
-    {
-        book
-        (
-            exchange.owner[atom], exchange.impulse[atom], works ? exchange.work[atom] : 0, false
-        );
-        if (nonReacting)
-        {
-            bookNonReacting(exchange.nonReactingImpulse[atom]);
-        }
-    }
-    leftBox_ = deleted_ = 0;
-    for (label i = 0; i < removals.nRemoved; ++i)
-    {
-        const LAMMPS_NS::FluidForceExchange::Removed& grain = removals.removed[i];
-        book(grain.owner, grain.impulse, grain.work, true);
-        bookNonReacting(grain.nonReactingImpulse);
-        ++(grain.fate == LAMMPS_NS::FluidForceExchange::LEFT_BOX ? leftBox_ : deleted_);
-    }
-    removals.clearRemoved(&removals);
-
-    impulseBytes_ += ownerRoute::exchange<Parcel>
-    (
-        parcels,
-        [&](const label, const UList<Parcel>& incoming)
-        {
-            for (const Parcel& p : incoming)
-            {
-                arrive(p);
-            }
-        }
-    );
-    return all;
 }
 
 

@@ -89,12 +89,16 @@ void Foam::liggghtsSession::check() const
 }
 
 
-void Foam::liggghtsSession::checkVersion() const
+void Foam::liggghtsSession::checkVersion
+(
+    LAMMPS_NS::Fix* fix,
+    const char* name
+) const
 {
     // The layout of the exchange belongs to a version. The loader looks at plugins, but the
     // one in this process may be older, and the fix may be compiled into LIGGGHTS.
     int dim = 0;
-    const void* stated = fluidForce_->extract("fluid_force_version", dim);
+    const void* stated = fix->extract(name, dim);
     const std::string version =
         stated ? static_cast<const char*>(stated) : "earlier than versions are stated";
 
@@ -102,7 +106,7 @@ void Foam::liggghtsSession::checkVersion() const
     {
         sessionError
         (
-            "Script " + script_ + ": its fix fluid/force comes from Grainjet " + version
+            "Script " + script_ + ": its fix " + fix->style + " comes from Grainjet " + version
           + ", but this coupling is of Grainjet " GRAINJET_VERSION
             ". Let plugin load, LIGGGHTS_PLUGIN_PATH and FOAM_USER_LIBBIN lead to"
             " one of them only, or " GRAINJET_ANEW
@@ -129,7 +133,16 @@ void Foam::liggghtsSession::findFixes()
         )
         {
             fluidForce_ = fix;
-            checkVersion();
+            checkVersion(fix, "fluid_force_version");
+        }
+        else if
+        (
+            !std::strcmp(fix->style, "fluid/heat")
+         && fix->extract("fluid_heat_exchange", dim)
+        )
+        {
+            fluidHeat_ = fix;
+            checkVersion(fix, "fluid_heat_version");
         }
     }
     if (!fluidForce_)
@@ -141,6 +154,7 @@ void Foam::liggghtsSession::findFixes()
             "    fix f all fluid/force coupled"
         );
     }
+    checkHeat();
 }
 
 

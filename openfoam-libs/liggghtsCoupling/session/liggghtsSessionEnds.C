@@ -107,6 +107,7 @@ Foam::liggghtsSession::liggghtsSession
     lock_(-1),
     lmp_(nullptr),
     fluidForce_(nullptr),
+    fluidHeat_(nullptr),
     contact_(nullptr),
     scriptTimeStep_(0),
     insertedOffset_(0),

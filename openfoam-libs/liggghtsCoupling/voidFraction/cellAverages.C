@@ -7,6 +7,7 @@
 #include "cellAverages.H"
 #include "continuedField.H"
 #include "fixedValueFvPatchFields.H"
+#include "heatTransfer.H"
 #include "voidFractionEquations.H"
 #include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
@@ -175,6 +176,18 @@ Foam::cellAverages::cellAverages
     first_(true),
     continues_(false)
 {
+    if (heatTransfer::acts(dict))
+    {
+        particleTemperature_.reset
+        (
+            new volScalarField
+            (
+                writtenField("particleTemperature", locator.mesh()),
+                fvMeshOf(locator),
+                dimensionedScalar(dimTemperature, Zero)
+            )
+        );
+    }
     if (voidFractionEquations::full(dict))
     {
         makeSolidsFlux();
@@ -292,10 +305,45 @@ Foam::cellAverages::figures Foam::cellAverages::update(ownedGrains& grains)
 }
 
 
+void Foam::cellAverages::updateTemperature(const ownedGrains& grains)
+{
+    // Heat capacity, and its product with the temperature
+    typedef FixedList<scalar, 2> content;
+
+    DynamicList<content> sums;
+    shares_.deposit<content>
+    (
+        grains.size(),
+        [&](const label g){ return grains.cell(g); },
+        [&](const label g)
+        {
+            const scalar capacity = grains.heatCapacity(g);
+            return content({capacity, capacity*grains.temperature(g)});
+        },
+        [&](const label celli, const scalar fraction, const content& c)
+        {
+            content& sum = occupied_.sum(sums, celli);
+            sum[0] += fraction*c[0];
+            sum[1] += fraction*c[1];
+        }
+    );
+
+    scalarField& T = particleTemperature_->primitiveFieldRef();
+    T = Zero;
+    forAll(sums, i)
+    {
+        if (sums[i][0] > 0)
+        {
+            T[occupied_.cells()[i]] = sums[i][1]/sums[i][0];
+        }
+    }
+}
+
+
 void Foam::cellAverages::restoreShares
 (
     ownedGrains& grains,
-    DynamicList<scalar>& coefficients
+    DynamicList<fluidCoefficients>& acted
 )
 {
     shares_.clear();
@@ -305,7 +353,7 @@ void Foam::cellAverages::restoreShares
         {
             model_->share(first, found, shares_);
         },
-        coefficients
+        acted
     );
     shares_.findRemoteParts([&](const label g){ return grains.cell(g); });
 }
