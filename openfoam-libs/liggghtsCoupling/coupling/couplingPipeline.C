@@ -248,17 +248,14 @@ void Foam::couplingPipeline::advance()
     const bool moved = debts_ && debts_->take(*grains_, averages_, fluid_);
     const bool heatMoved = heatDebts_ && heatDebts_->take(*grains_, averages_, fluid_);
     step.cells = averages_.update(*grains_);
-    if (forces_.requests().heat)
-    {
-        averages_.updateTemperature(*grains_);
-    }
     if (moved)
     {
         debts_->give(*grains_, averages_);
     }
-    if (heatMoved)
+    const scalar returned = heatMoved ? heatDebts_->giveHeat(*grains_) : 0;
+    if (forces_.requests().heat)
     {
-        heatDebts_->give(*grains_, averages_);
+        averages_.updateTemperature(*grains_);
     }
     if (equations_)
     {
@@ -289,6 +286,7 @@ void Foam::couplingPipeline::advance()
         *grains_, forces_, records_, averages_,
         equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
     );
+    step.received.heat += returned;
 
     step.counts = session_.counts();
     step.grains = grains_->numbers();

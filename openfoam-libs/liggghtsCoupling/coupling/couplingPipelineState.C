@@ -15,7 +15,7 @@ Description
 Foam::wordList Foam::couplingPipeline::stateFiles() const
 {
     wordList names(momentum_.momentum().files());
-    if (energy_)
+    if (energy_ && momentum_.momentum().debts())
     {
         names.append(energy_->files());
     }

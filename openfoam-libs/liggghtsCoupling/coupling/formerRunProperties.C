@@ -10,6 +10,7 @@ Description
 
 #include "formerRun.H"
 #include "couplingEntries.H"
+#include "heatTransfer.H"
 #include "entryError.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -160,6 +161,13 @@ void Foam::formerRun::checkEntries(const dictionary& former) const
             << " was written by a run with momentum " << formerMomentum << ": what the fluid is"
             << " still owed (particleMomentumOwed) would be lost. Set momentum "
             << formerMomentum << exit(FatalIOError);
+    }
+    if (couplingEntries::twoWay(dict_) && !heatTransfer::acts(dict_) && files.found("particleHeatOwed"))
+    {
+        FatalIOErrorInEntry(dict_, "forces")
+            << "forces without the model heat, but time " << startName_ << " was written by a run with it: heat"
+            << " on its way between gas and grains (particleHeatOwed) would be lost. Add the model heat to"
+            << " forces" << exit(FatalIOError);
     }
 }
 

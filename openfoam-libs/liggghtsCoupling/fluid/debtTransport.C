@@ -263,4 +263,18 @@ void Foam::debtTransport::give(ownedGrains& grains, cellAverages& averages)
 }
 
 
+Foam::scalar Foam::debtTransport::giveHeat(ownedGrains& grains)
+{
+    scalarList heat(carried_.size());
+    forAll(heat, g)
+    {
+        heat[g] = carried_[g][3];
+    }
+    return grains.giveHeat
+    (
+        heat, [&](const label celli, const scalar whole){ (*debts_.lostEnergy)[celli] += whole; }
+    );
+}
+
+
 // ************************************************************************* //

@@ -100,15 +100,15 @@ bool Foam::debtTransport::stiff
     }
     sumUp(weight_, sums_, grains, averages);
 
-    // A filter makes no sum per volume larger
+    // A filter makes no sum per volume larger. Debts of heat are always moved
     const tmp<scalarField> tinertia(inertia(fluid));
-    const bool any = isStiff(averages.cells().cells(), tinertia(), 0);
+    const bool any = isStiff(averages.cells().cells(), tinertia(), 0) || debts_.ofHeat();
     if (!any || !averages.filter())
     {
         return any;
     }
     averages.filter()->spread(averages.cells(), sums_);
-    return isStiff(averages.cells().cells(), tinertia(), negligible_);
+    return isStiff(averages.cells().cells(), tinertia(), negligible_) || debts_.ofHeat();
 }
 
 

@@ -15,7 +15,7 @@
 
 Foam::scalar Foam::heatExchange::missing(const cellSource& source) const
 {
-    return source.later + source.slope*(he_[source.cell] - source.he0)*dt_;
+    return source.slope*(he_[source.cell] - source.he0)*dt_;
 }
 
 
@@ -24,7 +24,7 @@ Foam::heatExchange::cellSource& Foam::heatExchange::sourceOf(const label celli)
     if (number_[celli] < 0)
     {
         number_[celli] = sources_.size();
-        sources_.append(cellSource{celli, 0, 0, 0, he_[celli]});
+        sources_.append(cellSource{celli, 0, 0, he_[celli]});
     }
     return sources_[number_[celli]];
 }
@@ -100,7 +100,7 @@ void Foam::heatExchange::close()
     {
         scalar& owed = owed_[source.cell];
         owed = missing(source);
-        received_ += source.wanted + source.later - owed;
+        received_ += source.wanted - owed;
     }
 }
 
@@ -110,13 +110,14 @@ void Foam::heatExchange::set
     const labelUList& cells,
     const scalarField& heat,
     const scalarField& slope,
-    const scalarField& capacity,
+    const scalarField& felt,
     const scalar dt
 )
 {
     const scalarField& V = fluid_.mesh().V();
     const tmp<volScalarField> trho(fluid_.rho());
     const tmp<volScalarField> tc(gasThermo::of(fluid_.mesh()).Cpv());
+    const volScalarField& T = fluid_.mesh().lookupObject<volScalarField>("T");
     dt_ = dt;
 
     sources_.clear();
@@ -124,17 +125,19 @@ void Foam::heatExchange::set
     forAll(cells, i)
     {
         const label celli = cells[i];
-        const scalar k = slope[i]/tc()[celli];
-        const scalar K = k/(trho()[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]);
-        const scalar response = slope[i] > 0 ? slope[i]/capacity[i] : 1;
-        const scalar now = (1 - (1 - response)*K/(1 + K))*owed_[celli];
-
-        number_[celli] = sources_.size();
-        sources_.append(cellSource{celli, now - heat[i], owed_[celli] - now, k/dt, he_[celli]});
+        cellSource& source = sourceOf(celli);
+        source.wanted = owed_[celli] - heat[i];
+        if (slope[i] > 0)
+        {
+            const scalar c = tc()[celli];
+            const scalar gas = trho()[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]*c;
+            source.slope = slope[i]/(dt*c);
+            source.he0 += slope[i]/(gas + slope[i])*c*(felt[i] - T[celli]);
+        }
         particleHeatSource_[celli] = -heat[i]/(dt*V[celli]);
     }
 
-    // Cells with a debt that hold no grain any more
+    // Cells with a debt that no grain has taken back, such as one of no weight
     forAll(owed_, celli)
     {
         if (number_[celli] < 0 && owed_[celli] != 0)

@@ -6,6 +6,7 @@
 
 #include "momentumExchange.H"
 #include "couplingEntries.H"
+#include "debtTransport.H"
 #include "fvMatrices.H"
 #include "voidFractionEquations.H"
 
@@ -38,12 +39,14 @@ void Foam::momentumExchange::deposit
                     (impulse_[g] & r.slip)/(dt*r.voidFraction*(magSqr(r.slip) + VSMALL));
                 slope = max(slope, min(seen, r.dragCoefficient/r.voidFraction));
             }
-            const scalar C = r.heatCapacity;
+            const scalar heatSlope =
+                r.heatCapacity > 0
+              ? debtTransport::weight(r.heatTransferCoefficient, r.heatCapacity, dt) : 0;
             return exchanged
             {
                 impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass,
                 work_.empty() ? 0 : work_[g], heat_.empty() ? 0 : heat_[g],
-                C > 0 ? -C*std::expm1(-r.heatTransferCoefficient*dt/C) : 0, C
+                heatSlope, heatSlope*r.fluidTemperature
             };
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
@@ -56,7 +59,7 @@ void Foam::momentumExchange::deposit
             sum.work += fraction*e.work;
             sum.heat += fraction*e.heat;
             sum.heatSlope += fraction*e.heatSlope;
-            sum.heatCapacity += fraction*e.heatCapacity;
+            sum.slopeTemperature += fraction*e.slopeTemperature;
         }
     );
 }
@@ -71,14 +74,15 @@ void Foam::momentumExchange::setHeat
 {
     scalarField received(cells.size());
     scalarField slope(cells.size());
-    scalarField capacity(cells.size());
+    scalarField felt(cells.size());
     forAll(cells, i)
     {
-        received[i] = exchanged_[i].heat;
-        slope[i] = exchanged_[i].heatSlope;
-        capacity[i] = exchanged_[i].heatCapacity;
+        const exchanged& e = exchanged_[i];
+        received[i] = e.heat;
+        slope[i] = e.heatSlope;
+        felt[i] = e.heatSlope > 0 ? e.slopeTemperature/e.heatSlope : 0;
     }
-    heat.set(cells, received, slope, capacity, dt);
+    heat.set(cells, received, slope, felt, dt);
 }
 
 

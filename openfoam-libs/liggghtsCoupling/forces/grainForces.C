@@ -351,6 +351,7 @@ Foam::scalar Foam::grainForces::act
                 batch.addedMass[i],
                 voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i],
                 batch.heatTransferCoefficient[i], heat ? batch.heatCapacity[i] : 0,
+                batch.undisturbedTemperature[i],
                 slip
             };
             slipSum += mag(slip);

@@ -185,6 +185,7 @@ void Foam::heatTransfer::add(grainBatch& grains) const
         );
         grains.heatTransferCoefficient[i] =
             Nu*kappa[i]*constant::mathematical::pi*d*grains.particles[i];
+        grains.undisturbedTemperature[i] = T[i];
         grains.fluidTemperature[i] =
             recovery_ ? grainjet::heat::recoveryTemperature(T[i], slip, cp[i], Pr) : T[i];
     }

@@ -4,26 +4,20 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "bitSet.H"
 #include "ownedGrains.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type, class Rest>
-void Foam::ownedGrains::handOver
+Foam::List<Type> Foam::ownedGrains::heldFor
 (
     const UList<Type>& former,
-    DynamicList<Type>& present,
+    const bitSet& out,
     const Rest& rest
 )
 {
     const label me = Pstream::myProcNo();
     const label nProcs = Pstream::nProcs();
-    bitSet outside(grains_.n);
-    for (const label atom : outsideAtoms_)
-    {
-        outside.set(atom);
-    }
 
     // LIGGGHTS may have moved grains: the rank that holds one asks its owner
     List<Type> ofAtom(grains_.n, Type(Zero));
@@ -34,7 +28,7 @@ void Foam::ownedGrains::handOver
         const double* owner = exchange_.owner[atom];
         const label rank = label(owner[LAMMPS_NS::OWNER_RANK]);
         const label number = label(owner[LAMMPS_NS::OWNER_NUMBER]);
-        if (outside.test(atom) || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
+        if (out.test(atom) || rank < 0 || !(owner[LAMMPS_NS::OWNER_PRESENT] > 0))
         {
             continue;
         }
@@ -75,6 +69,34 @@ void Foam::ownedGrains::handOver
         }
     );
 
+    forAll(former, number)
+    {
+        if (!taken.test(number))
+        {
+            rest(previousCells_[number], former[number]);
+        }
+    }
+    return ofAtom;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type, class Rest>
+void Foam::ownedGrains::handOver
+(
+    const UList<Type>& former,
+    DynamicList<Type>& present,
+    const Rest& rest
+)
+{
+    bitSet outside(grains_.n);
+    for (const label atom : outsideAtoms_)
+    {
+        outside.set(atom);
+    }
+    const List<Type> ofAtom(heldFor(former, outside, rest));
+
     makeRoom(present, size());
     present.setSize(size(), Type(Zero));
     for (label g = 0; g < size(); ++g)
@@ -89,14 +111,28 @@ void Foam::ownedGrains::handOver
         [&](const label item) -> Type { return ofAtom[sentAtoms_[item]]; },
         [&](const label g, const Type& value){ present[g] = value; }
     );
+}
 
-    forAll(former, number)
+
+template<class Rest>
+Foam::scalar Foam::ownedGrains::giveHeat(const UList<scalar>& former, const Rest& rest)
+{
+    scalar sum = 0;
+    const scalarList heat(heldFor(former, bitSet(), rest));
+    forAll(heat, atom)
     {
-        if (!taken.test(number))
-        {
-            rest(previousCells_[number], former[number]);
-        }
+        heats_.temperature[atom] += heat[atom]/capacityOf(atom);
+        sum += heat[atom];
     }
+    route_.forward<scalar>
+    (
+        [&](const label item) -> scalar { return heats_.temperature[sentAtoms_[item]]; },
+        [&](const label g, const scalar T)
+        {
+            remoteExtras_[nExtras_*sources_[g].index + (session_.requested().spin ? 3 : 0)] = T;
+        }
+    );
+    return sum;
 }
 
 

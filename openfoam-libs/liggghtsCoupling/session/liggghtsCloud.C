@@ -76,6 +76,15 @@ void Foam::liggghtsCloud::writeObjects(objectRegistry& obr) const
         nParticle[i] = pow3(grains.cg[grains.type[i]]);
         origId[i] = grains.id[i];
     }
+    if (session_->hasHeat())
+    {
+        const double* temperature = session_->heats().temperature;
+        auto& T = createIOField<scalar>("T", n, obr);
+        for (label i = 0; i < n; ++i)
+        {
+            T[i] = temperature[i];
+        }
+    }
 }
 
 

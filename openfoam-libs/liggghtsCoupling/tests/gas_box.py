@@ -17,6 +17,9 @@ SOUND = (GAMMA * R * T0) ** 0.5
 # The solvers write T, not the energy that they solve for; sonicFoam no density
 WRITE = "energy {{ type writeObjects; libs (utilityFunctionObjects); objects (rho {}); writeControl writeTime; }}"
 
+# of air
+SUTHERLAND = "As 1.4792e-6; Ts 116;"
+
 ENERGY = {"e": "sensibleInternalEnergy", "h": "sensibleEnthalpy"}
 
 # Solver, energy, transonic
@@ -31,7 +34,8 @@ def heat_capacity(energy):
 def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, energy="e", thermo=None, transonic=False,
           correctors="nOuterCorrectors 1; nCorrectors 2;", walls=False, through=False, convection="linear",
           tolerance=1e-14, gas="perfectGas", gas_density=None, pressure=P0, consistent=False, time_scheme="Euler",
-          turbulence=None, simulation="RAS", frozen=False, coefficients="", les_entries="", k=1.0, epsilon=1.0, nu_tilda=1e-5, **fluid):
+          turbulence=None, simulation="RAS", frozen=False, coefficients="", les_entries="", k=1.0, epsilon=1.0, nu_tilda=1e-5, prandtl=0.7,
+          transport="const", **fluid):
     """Write the fluid side of the case. Through: supersonic or subsonic, the gas enters at zlo with the given velocity
     and temperature, and leaves at zhi at the given pressure. Turbulence: a model of k, epsilon or nuTilda, which have these
     values at the beginning and at zlo, and its coefficients; simulation: RAS or LES, which has further entries."""
@@ -42,7 +46,7 @@ def write(folder, *, velocity="(0 0 0)", solver="rhoPimpleFoam", mu=1.8e-5, ener
     dictionaries.write(folder / "constant/thermophysicalProperties", f"""
 thermoType
 {{
-    type {thermo}; mixture pureMixture; transport const; thermo {'e' if energy == 'e' else 'h'}Const;
+    type {thermo}; mixture pureMixture; transport {transport}; thermo {'e' if energy == 'e' else 'h'}Const;
     equationOfState {gas}; specie specie; energy {ENERGY[energy]};
 }}
 mixture
@@ -50,7 +54,7 @@ mixture
     specie {{ molWeight 28.9; }}
     {state}
     thermodynamics {{ {heat_capacity(energy)} }}
-    transport {{ mu {mu!r}; Pr 0.7; }}
+    transport {{ {f"mu {mu!r}; Pr {prandtl!r};" if transport == "const" else SUTHERLAND} }}
 }}
 """)
     dictionaries.change(folder / "system/controlDict", ("application pimpleFoam", f"application {solver}"))
@@ -111,15 +115,19 @@ class GasCase(box.CoupledCase):
 
     def run_gas(self, ranks=0, steps=20, grains=None, solver="rhoPimpleFoam", options=None, boundary="p p p",
                 diameter=2e-4, density=2500.0, ranks_in_case=2, processors="", into=None, dem_step=1e-5, interval=10,
-                box_of_grains="0 0.02 0 0.02 0 0.04", check=True, dump_every=None, **fluid):
-        """As run_box of CoupledCase."""
+                box_of_grains="0 0.02 0 0.02 0 0.04", check=True, dump_every=None, columns=box.MOTION, fixes="", plugins="",
+                prepare=None, **fluid):
+        """As run_box of CoupledCase. prepare(folder) changes the case that is written."""
         folder = into or self.new_folder()
         write(folder, steps=steps, ranks=ranks_in_case, solver=solver, **fluid)
         if options is not False:
             x, v = grains or box.swarm(300, 7)
             box.script(folder, grains=box.grains(x, v, diameter, density), boundary=boundary, box=box_of_grains,
-                       dt=dem_step, processors=processors, end=scripts.dump(dump_every or interval * steps, "grains.dump", box.MOTION))
+                       dt=dem_step, processors=processors, fixes=fixes, plugins=plugins,
+                       end=scripts.dump(dump_every or interval * steps, "grains.dump", columns))
             box.fv_options(folder, **{"fluid": "compressible", "couplingInterval": str(interval), **(options or {})})
+        if prepare:
+            prepare(folder)
         self.foam("blockMesh", folder)
         if ranks:
             self.foam("decomposePar", folder)

@@ -1,0 +1,104 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A shock of Mach 1.5 passes a grain at rest: its speed and temperature after it against ordinary differential equations, integrated with the
+exact states of the gas before and behind the shock; what the shock itself gives to it by the gradient of pressure and by added mass."""
+# label: long
+
+import math
+import unittest
+
+import gas_box
+import heat_box
+from case_compressible_stream import loth
+from grainjet import coupled_box as box, dictionaries, dumps
+
+MU, PR, CP, GAMMA = 1.8e-5, 0.7, gas_box.CV + gas_box.R, gas_box.GAMMA
+KAPPA = heat_box.conductivity(MU, PR)
+D, RHO_P, C_P = 5e-5, 2500.0, 385.0
+LENGTH, CELLS, START, PLACE, STEP = 0.2, 400, 0.03, 0.05025, 2e-7
+
+# Behind a shock that runs into gas at rest at M (Rankine and Hugoniot)
+M = 1.5
+P2 = gas_box.P0 * (1 + 2 * GAMMA / (GAMMA + 1) * (M ** 2 - 1))
+RHO2 = gas_box.RHO0 * (GAMMA + 1) * M ** 2 / ((GAMMA - 1) * M ** 2 + 2)
+U2 = gas_box.SOUND * 2 / (GAMMA + 1) * (M - 1 / M)
+T2 = P2 / (RHO2 * gas_box.R)
+SPEED = M * gas_box.SOUND
+
+
+def rates(v, T):
+    """Acceleration of the grain in the gas behind the shock, and rate of its temperature."""
+    slip = U2 - v
+    re = RHO2 * slip * D / MU
+    acceleration = 0.75 * MU * loth(re, slip / (GAMMA * P2 / RHO2) ** 0.5) * slip / (RHO_P * D ** 2)
+    recovery = T2 + PR ** 0.5 * slip ** 2 / (2 * CP)
+    return acceleration, 6 * heat_box.ranz_marshall(re, PR) * KAPPA / (RHO_P * C_P * D ** 2) * (recovery - T)
+
+
+def after(time, n=4000):
+    """Speed and temperature at a time. The shock meets the grain, whose place then hardly changes, and gives it V dp/w by the gradient
+    of pressure; from there on it is in the gas behind it. Fourth-order Runge-Kutta."""
+    v, T = (P2 - gas_box.P0) / (RHO_P * SPEED), 300.0
+    h = (time - (PLACE - START) / SPEED) / n
+    for _ in range(n):
+        a = rates(v, T)
+        b = rates(v + h / 2 * a[0], T + h / 2 * a[1])
+        c = rates(v + h / 2 * b[0], T + h / 2 * b[1])
+        d = rates(v + h * c[0], T + h * c[1])
+        v, T = (x + h / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]) for k, x in enumerate((v, T)))
+    return v, T
+
+
+class Shock(heat_box.HeatCase):
+
+    def shocked(self, steps, forces, solver="rhoPimpleFoam", transonic=True, cells=CELLS):
+        """Speed and temperature of the grain after fluid steps of 0.2 us. Periodic in x and y."""
+        folder = self.run_warm(
+            steps=steps, solver=solver, transonic=transonic, delta_t=STEP, mu=MU, prandtl=PR, through=True, velocity=f"(0 0 {U2!r})",
+            cells=f"1 1 {cells}", size=(1, 1, 1000 * LENGTH), convection="vanLeer", correctors="nOuterCorrectors 2; nCorrectors 2;",
+            grains=([(5e-4, 5e-4, PLACE)], [(0, 0, 0)]), diameter=D, density=RHO_P, specific_heat=C_P, temperature=300.0,
+            dem_step=STEP / 2, interval=2, box_of_grains=f"0 0.001 0 0.001 0 {LENGTH}", boundary="p p f",
+            options={"coupling": "oneWay", "drag": None, "forces": forces}, prepare=lambda folder: self.put_shock(folder, cells))
+        row = dumps.last(folder / "grains.dump")[1]
+        return row[5], row[-1]
+
+    @staticmethod
+    def put_shock(folder, cells):
+        """The state behind the shock up to its place, gas at rest beyond."""
+        behind = [(i + 0.5) * LENGTH / cells < START for i in range(cells)]
+        for name, kind, warm, cold in (("p", "scalar", P2, gas_box.P0), ("T", "scalar", T2, gas_box.T0),
+                                       ("U", "vector", f"(0 0 {U2!r})", "(0 0 0)")):
+            text = "\n".join(str(warm if b else cold) for b in behind)
+            uniform = {"p": repr(gas_box.P0), "T": repr(gas_box.T0), "U": f"(0 0 {U2!r})"}[name]
+            dictionaries.change(folder / "0" / name, (f"internalField uniform {uniform}", f"internalField nonuniform List<{kind}> {cells} (\n{text}\n)"))
+        dictionaries.change(folder / "0/T", (f"value uniform {gas_box.T0}", f"value uniform {T2!r}"))
+
+    def test_speed_and_temperature(self):
+        """With drag, heat and the gradient of pressure. A numerical shock is some cells wide; half of its width later or earlier is 0.5 % of
+        the time."""
+        steps = 1000
+        exact = after(steps * STEP)
+        for solver in ("rhoPimpleFoam", "sonicFoam"):
+            with self.subTest(solver=solver):
+                v, T = self.shocked(steps, "{ drag { model Loth; } pressureGradient {} heat {} }", solver)
+                print(f"{solver}: {v:.3f} m/s, {T:.3f} K; integrated {exact[0]:.3f} m/s, {exact[1]:.3f} K")
+                self.assertGreater(exact[0], 0.15 * U2)
+                self.assertGreater(exact[1], 310)
+                self.assertLess(abs(v - exact[0]), 0.01 * exact[0])
+                self.assertLess(abs(T - exact[1]), 0.01 * (exact[1] - 300))
+
+    def test_impulse_of_the_shock(self):
+        """Without drag the gradient of pressure gives V dp/w, over however many cells the shock is spread; an added mass C rho V as much
+        again times C, since rho Du/Dt = - grad p in a shock without friction."""
+        once = (P2 - gas_box.P0) / (RHO_P * SPEED)
+        for cells in (400, 200):
+            for forces, expected in (("pressureGradient {}", once), ("pressureGradient {} addedMass { C 0.5; }", 1.5 * once)):
+                with self.subTest(cells=cells, forces=forces):
+                    v, _ = self.shocked(400, f"{{ {forces} }}", cells=cells)
+                    print(f"{cells} cells, {forces}: {v:.6f} m/s, expected {expected:.6f} m/s")
+                    self.assertLess(abs(v - expected), 0.02 * expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
