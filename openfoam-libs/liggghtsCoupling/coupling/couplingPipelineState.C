@@ -15,7 +15,7 @@ Description
 Foam::wordList Foam::couplingPipeline::stateFiles() const
 {
     wordList names(momentum_.momentum().files());
-    if (energy_ && momentum_.momentum().debts())
+    if (energy_ && debts_)
     {
         names.append(energy_->files());
     }
