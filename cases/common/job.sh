@@ -143,28 +143,37 @@ mesh_stage()
         }' log.checkMesh
 }
 
-# The flow without grains, in a case of its own on the same mesh
+# steady_stage [solver field ...]: the flow without grains, in a case of its own on the same mesh. Its fields are the start of the
+# coupled run. A case that has a function start_stage makes the fields to begin from by it
 steady_stage()
 {
-    local iterations steady field
+    local iterations steady field solver=${1:-simpleFoam} log
+    local fields=("${@:2}")
+    [ ${#fields[@]} -gt 0 ] || fields=(U p k epsilon nut phi)
     launcher
+    log=log.$solver
+    [ "$solver" = simpleFoam ] || log+=.spinUp      # beside that of the coupled run
     iterations=$(parameter spinUpIterations)
     rm -rf 0 processor* spinUp/processor* spinUp/[1-9]* spinUp/postProcessing
     cp -r 0.orig 0
+    if declare -F start_stage > /dev/null
+    then
+        start_stage
+    fi
     ln -sfn ../0 spinUp/0
     ln -sfn ../constant spinUp/constant
     [ -z "$parallel" ] || run log.decomposePar.spinUp "Cutting the mesh for $ranks ranks" decomposePar -case spinUp
-    echo "Steady flow without grains: up to $iterations iterations of simpleFoam on $ranks ranks"
-    "${mpi[@]}" simpleFoam -case spinUp $parallel > log.simpleFoam 2>&1 &
-    following log.simpleFoam "$iterations" "steady flow"
+    echo "Steady flow without grains: up to $iterations iterations of $solver on $ranks ranks"
+    "${mpi[@]}" "$solver" -case spinUp $parallel > "$log" 2>&1 &
+    following "$log" "$iterations" "steady flow"
     [ -z "$parallel" ] || run log.reconstructPar.spinUp "Its fields are the start of the coupled run" \
         reconstructPar -case spinUp -latestTime
     steady=$(foamListTimes -case spinUp -latestTime)
-    for field in U p k epsilon nut phi
+    for field in "${fields[@]}"
     do
         cp "spinUp/$steady/$field" 0/
     done
-    sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' log.simpleFoam | tail -n 1
+    sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' "$log" | tail -n 1
 }
 
 # From time 0, or from the latest time that is complete
