@@ -55,7 +55,7 @@ def main():
     axis, size, deposit = (figure.add_subplot(grid[2, i]) for i in range(3))
     draw(whole, s, (n.begin, n.plate), 1.6*n.exit, 3.3)
     whole.set_title("Mach number and grains (area as d$^2$)")
-    drawn = draw(jet, s, (n.end - 0.004, n.plate), 2.2*n.exit, 3.3)
+    drawn = draw(jet, s, (n.end - 0.02, n.plate), 2.2*n.exit, 3.3)
     jet.set_aspect("equal")
     figure.colorbar(drawn, ax=[whole, jet], label="Mach number", shrink=0.8)
 

@@ -22,9 +22,9 @@ sys.path.insert(0, str(COLD))
 import flight
 import nozzle
 
-SHRUNK = {"nInlet": 36, "nCone": 80, "nJet": 50, "nRadial": 12, "nLip": 5, "nBeside": 10, "spinUpIterations": 1500,
+SHRUNK = {"nInlet": 36, "nCone": 80, "nJet": 50, "nRadial": 12, "nLip": 5, "nBeside": 10, "spinUpIterations": 1200,
           "insertionPlace": -0.010, "insertionRadius": 0.0005, "Uinsertion": 80, "fluidStep": 4e-7, "couplingInterval": 400,
-          "insertionInterval": 2000, "endTime": 0.0006, "writeInterval": 0.0003}
+          "insertionInterval": 2000, "endTime": 0.00056, "writeInterval": 0.00028}
 GENERATED = ("tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "begun", "0", "0.[0-9]*", "[1-9]*", "*.foam")
 
 
