@@ -10,7 +10,7 @@ import unittest
 
 import gas_box
 import heat_box
-from case_compressible_stream import loth
+from gas_box import loth
 from grainjet import coupled_box as box, dictionaries, dumps
 
 MU, PR, CP, GAMMA = 1.8e-5, 0.7, gas_box.CV + gas_box.R, gas_box.GAMMA
