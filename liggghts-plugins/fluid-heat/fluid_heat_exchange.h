@@ -35,7 +35,8 @@ struct FluidHeatExchange {
 
   // ---- Written by the fix
 
-  double *temperature;                // [n] K, property Temp
+  double *temperature;                // [n] K, property Temp. A coupling may add to it what a grain has given
+                                      // and the fluid has not received; that is not in heat
   double *heat;                       // [n] J, that the grain received from the fluid since the
                                       // coupling last set it to zero
 

@@ -268,10 +268,6 @@ void Foam::couplingPipeline::advance()
     {
         debts_->remember(records_, fluid_.mesh().time().deltaTValue());
     }
-    if (heatDebts_)
-    {
-        heatDebts_->remember(records_, fluid_.mesh().time().deltaTValue());
-    }
 
     const scalar before = clock.elapsedTime();
     {
@@ -287,6 +283,10 @@ void Foam::couplingPipeline::advance()
         equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
     );
     step.received.heat += returned;
+    if (heatDebts_)
+    {
+        heatDebts_->remember(records_, fluid_.mesh().time().deltaTValue());
+    }
 
     step.counts = session_.counts();
     step.grains = grains_->numbers();

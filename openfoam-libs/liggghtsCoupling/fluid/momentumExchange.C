@@ -120,7 +120,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
 (
     ownedGrains& grains,
     const grainForces& forces,
-    const UList<grainForces::record>& records,
+    UList<grainForces::record>& records,
     cellAverages& averages,
     const vectorField& stress,
     energyExchange* energy,
@@ -153,6 +153,13 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
             sum.heat += received;
         }
     );
+    forAll(heat_, g)
+    {
+        if (heat_[g] == 0)
+        {
+            records[g].heatTransferCoefficient = 0;
+        }
+    }
     deposit(grains, records, averages, dt);
     if (averages.filter())
     {

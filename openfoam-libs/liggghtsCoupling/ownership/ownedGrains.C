@@ -198,7 +198,8 @@ void Foam::ownedGrains::restoreOwners
     {
         return fluidCoefficients
         {
-            exchange_.dragCoefficient[atom], heated ? heats_.heatTransferCoefficient[atom] : 0
+            exchange_.dragCoefficient[atom],
+            heated && heats_.heat[atom] != 0 ? heats_.heatTransferCoefficient[atom] : 0
         };
     };
     makeRoom(acted, size());

@@ -9,6 +9,7 @@ import unittest
 
 import bad_case
 import gas_box
+from gas_box import loth
 from grainjet import coupled_box as box, dumps
 
 D, RHO_P, MU = 6e-5, 2500.0, 1.8e-5
@@ -17,15 +18,6 @@ D, RHO_P, MU = 6e-5, 2500.0, 1.8e-5
 def wen_yu(re, mach):
     """Cd Re of a lone sphere by Wen and Yu's drag (Weaver and Miskovic 2023, Eqs. 18 to 20), without Mach number."""
     return 24 * (1 + 0.15 * re ** 0.687) if re < 1000 else 0.44 * re
-
-
-def loth(re, mach):
-    """Cd Re by Loth et al. (2021), AIAA J. 59, 3261, for Re > 45, which the slips here have until little is left."""
-    c = 1.65 + 0.65 * math.tanh(4 * mach - 3.4) if mach < 1.5 else 2.18 - 0.13 * math.tanh(0.9 * mach - 2.7)
-    g = 166 * mach ** 3 + 3.29 * mach ** 2 - 10.9 * mach + 20 if mach < 0.8 else 5 + 40 / mach ** 3
-    h = 0.0239 * mach ** 3 + 0.212 * mach ** 2 - 0.074 * mach + 1 if mach < 1 else 0.93 + 1 / (3.5 + mach ** 5)
-    assert re > 45
-    return 24 * (1 + 0.15 * re ** 0.687) * h + 0.42 * c * re / (1 + 42500 / re ** (1.16 * c) + g / re ** 0.5)
 
 
 def henderson(re, mach, t=1.5):

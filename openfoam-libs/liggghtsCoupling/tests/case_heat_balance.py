@@ -129,6 +129,17 @@ class HeatBalance(heat_box.HeatCase):
         table = box.read_balance(folder)
         self.assertLess(max(table["energyImbalance"]), 1e-10)
 
+    def test_group(self):
+        """Grains outside of the fix's group give no heat and keep their temperature, also where those beside them are stiff."""
+        folder = self.run_hot(steps=10, write_every=1, dump_every=10, cells="5 5 10", before="group warm id 1:1000\n", group="warm")
+        off, table = self.unbalanced(folder, ("0.0001", "0.001"), (1, 10))
+        T = heat_box.temperatures(folder / "grains.dump")
+        inside, outside = ([t for tag, t in T.items() if (tag <= 1000) == warm] for warm in (True, False))
+        print(f"{off:.1e}, table {max(table['energyImbalance']):.1e}; {max(inside):.3f} K, outside {min(outside)} to {max(outside)} K")
+        self.assertLess(off, 1e-10)
+        self.assertLess(max(inside), 380)
+        self.assertEqual((min(outside), max(outside)), (HOT, HOT))
+
     def crossing(self, steps=60, **case):
         """120 grains, one in a cell, of some 400 times the heat capacity of its gas, that lose 2/3 of their difference of
         temperature in a step and cross a cell in two steps. One half begins at 300 K, as the gas, the other one at 400 K. No drag."""

@@ -15,10 +15,10 @@ def conductivity(mu, prandtl):
     return mu * (gas_box.CV + gas_box.R) / prandtl
 
 
-def fixes(specific_heat, temperature):
-    """Commands of the script that give grains a temperature in K."""
+def fixes(specific_heat, temperature, group="all"):
+    """Commands of the script that give grains a temperature in K, and let those of a group exchange heat."""
     return (f"fix capacity all property/global thermalCapacity peratomtype {specific_heat!r}\n"
-            f"fix heat all fluid/heat coupled temperature {temperature!r}\n")
+            f"fix heat {group} fluid/heat coupled temperature {temperature!r}\n")
 
 
 def forces(heat="model RanzMarshall;", drag="model Gidaspow;", others="pressureGradient {} viscous {}"):
@@ -33,9 +33,10 @@ def ranz_marshall(re, prandtl):
 class HeatCase(gas_box.GasCase):
     """A test that runs the box of gas with warm grains."""
 
-    def run_warm(self, *, specific_heat=800.0, temperature=400.0, plugins="", more_fixes="", options=None, **case):
-        """As run_gas."""
-        return self.run_gas(fixes=fixes(specific_heat, temperature) + more_fixes, plugins="plugin load fluidheatplugin.so\n" + plugins,
+    def run_warm(self, *, specific_heat=800.0, temperature=400.0, plugins="", before="", group="all", more_fixes="",
+                 options=None, **case):
+        """As run_gas. before: commands before the fixes of heat, more_fixes: behind them."""
+        return self.run_gas(fixes=before + fixes(specific_heat, temperature, group) + more_fixes, plugins="plugin load fluidheatplugin.so\n" + plugins,
                             columns=COLUMNS, options={**forces(), **(options or {})}, **case)
 
 
