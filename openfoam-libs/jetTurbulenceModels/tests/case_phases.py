@@ -39,7 +39,7 @@ class Library(lid_cavity.Comparison):
         folder = self.folder/"lib"
         folder.mkdir()
         for name in ("Turbulence", *names):
-            shutil.copy(grainjet.ROOT/f"lib/libjet{name}Models.so", folder)
+            shutil.copy(grainjet.openfoam_library(f"libjet{name}Models"), folder)
         self.prepare(solver)
         dictionaries.change(self.folder/"system/controlDict", ('"libjet', f'"{folder}/libjet'))
         self.results("jetKEpsilon")

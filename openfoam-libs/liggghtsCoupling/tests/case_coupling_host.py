@@ -13,7 +13,7 @@ import grainjet
 from grainjet import host_library
 
 TESTS = grainjet.ROOT / "lib/tests"
-COUPLING = grainjet.ROOT / "lib/libliggghtsCoupling.so"
+COUPLING = grainjet.openfoam_library("libliggghtsCoupling")
 
 
 class Host(bad_case.BadCase):

@@ -39,7 +39,7 @@ class Versions(grainjet.Case):
         self.refused("othergrainjetplugin.so", "was built with Grainjet 0.0.9")
 
     def test_library_is_stamped(self):
-        library = grainjet.ROOT / "lib/libliggghtsCoupling.so"
+        library = grainjet.openfoam_library("libliggghtsCoupling")
         symbols = subprocess.run(["nm", "-D", library], check=True, stdout=subprocess.PIPE, text=True).stdout
         self.assertIn("liggghtsplugin_grainjet", symbols)
 

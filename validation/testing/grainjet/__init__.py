@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Grainjet's tests, benchmarks and programs for tables and pictures share, in Python.
 
-    import grainjet                         the basis: Case, run, done, start, mpirun, ROOT, ENV
+    import grainjet                         the basis: Case, run, done, start, mpirun, openfoam_library, ROOT, ENV
     from grainjet import dictionaries ...   the rest, by what it is about
 
 programs        runs the real programs, with the environment of a user
@@ -23,6 +23,7 @@ It holds no tolerances. A file finds the package by PYTHONPATH, which `source en
 """
 
 from grainjet.case import Case
-from grainjet.programs import ENV, ROOT, Run, done, liggghts_examples, mpirun, run, start
+from grainjet.programs import ENV, ROOT, Run, done, liggghts_examples, mpirun, openfoam_library, run, start
 
-__all__ = ["Case", "ENV", "ROOT", "Run", "done", "liggghts_examples", "mpirun", "run", "start"]
+__all__ = ["Case", "ENV", "ROOT", "Run", "done", "liggghts_examples", "mpirun", "openfoam_library",
+           "run", "start"]

@@ -27,6 +27,15 @@ def environment():
 ENV = environment()
 
 
+def openfoam_library(name):
+    """A library for OpenFOAM, as programs find it: in lib, or in FOAM_USER_LIBBIN where it was built for that."""
+    for folder in ENV["LD_LIBRARY_PATH"].split(":"):
+        file = pathlib.Path(folder, f"{name}.so")
+        if folder and file.is_file():
+            return file
+    raise AssertionError(f"no {name}.so in {ENV['LD_LIBRARY_PATH']}: run ./Allwmake")
+
+
 def mpirun(ranks):
     """The command prefix for a parallel run, empty for 0 ranks (no mpirun at all)."""
     if not ranks:
