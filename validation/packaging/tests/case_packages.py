@@ -21,7 +21,7 @@ VERSION = re.search(r'VERSION "(.*)"', (grainjet.ROOT/"liggghts-plugins/host/gra
 PLUGINS = ("hertzcgplugin.so", "collisionstatsplugin.so", "platestatsplugin.so", "surfacestatsplugin.so", "fluidforceplugin.so", "wallroughnessplugin.so")
 LIBRARIES = ("libliggghtsCoupling.so", "libjetTurbulenceModels.so", "libparticleSamplingPlanes.so",
              "libjetVoFphaseTurbulenceModels.so", "libjetTwoPhaseMixtureTurbulenceModels.so")
-CASES = ("quickJet/Allrun", "fluidBed/Allrun", "waterJet/Allrun", "sandblast/Allrun", "elbow/Allrun", "tutorial/fluid/0/U", "common/job.sh", "parameters.toml")
+CASES = ("quickJet/Allrun", "fluidBed/Allrun", "waterJet/Allrun", "sandblast/Allrun", "elbow/Allrun", "jetMill/Allrun", "tutorial/fluid/0/U", "common/job.sh", "parameters.toml")
 # what a run or a build leaves behind, and tests
 SURPLUS = re.compile(r"/(tests|runs|__pycache__|postProcessing|processor\d+|polyMesh|\.git\w*|lnInclude)(/|$)|\.pyc$|/log\.")
 
