@@ -15,8 +15,8 @@ from grainjet import dictionaries, tables
 JET_MILL = grainjet.ROOT/"cases"/"jetMill"
 
 # A smaller chamber, so that grains meet soon; 27 particles in a grain
-SHRUNK = {"D": 0.03, "height": 0.03, "nozzleHeight": 0.012, "cg": 3, "nParticles": 27000, "nNozzle": 2, "nMiddle": 10, "nRing": 5, "nAcross": 3,
-          "nBelow": 4, "nAbove": 4, "fluidStep": "3e-6", "couplingInterval": 15, "feedStart": "1e-4", "feedInterval": "6e-5", "nFeed": 5,
+SHRUNK = {"D": 0.03, "height": 0.03, "nozzleHeight": 0.012, "cg": 3, "nParticles": 27000, "nNozzle": 2, "nMiddle": 10, "nRing": 5, "nAcross": 5, "grading": 3,
+          "nBelow": 4, "nAbove": 4, "fluidStep": "3e-6", "couplingInterval": 15, "feedLow": 0.002, "feedHigh": 0.022, "feedStart": "1e-4", "feedInterval": "6e-5", "nFeed": 5,
           "sampleStart": 0.0006, "endTime": 0.0018, "writeInterval": 0.0009}
 
 
@@ -70,7 +70,7 @@ class JetMill(grainjet.Case):
 
     def test_bad_numbers_end_the_job_with_a_message(self):
         for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart", "endTime")),
-                             ({"stagnationPressure": "1.5e5"}, ("stagnationPressure must be 189293 Pa", "speed of sound")),
+                             ({"stagnationPressure": "1.5e5"}, ("stagnationPressure must be 208222 Pa", "clearly supersonic")),
                              ({"nozzleHeight": 0.2}, ("nozzleHeight", "wall of the chamber"))):
             with self.subTest(entry=entry):
                 folder = self.new_folder()
