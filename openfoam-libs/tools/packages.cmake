@@ -37,7 +37,7 @@ function(grainjet_install component binaries data pages)
     REGEX "/(tests|runs|__pycache__|results|postProcessing|polyMesh|particles|VTK|begun|\\.gitignore)$" EXCLUDE
     REGEX "/(log\\.|processor|stage\\.)[^/]*$" EXCLUDE
     REGEX "\\.foam$" EXCLUDE
-    REGEX "/((quickJet|elbow|coldSpray)(/spinUp)?|fluidBed|waterJet|sandblast|coldSpray/isentropic)/(0|0\\.[0-9][^/]*|[1-9][^/]*)$" EXCLUDE
+    REGEX "/((quickJet|elbow|coldSpray)(/spinUp)?|fluidBed|waterJet|sandblast|jetMill|coldSpray/isentropic)/(0|0\\.[0-9][^/]*|[1-9][^/]*)$" EXCLUDE
     REGEX "/quickJet/spinUp/constant$" EXCLUDE)
   install(DIRECTORY validation/plots DESTINATION ${data}/validation ${part} USE_SOURCE_PERMISSIONS
     REGEX "/(tests|__pycache__)$" EXCLUDE)
