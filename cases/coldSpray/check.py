@@ -84,7 +84,7 @@ class Results:
             yield f"{1e6*d:5.0f} um   {count:6d}    {v:8.2f}     {v1:8.2f} ({apart(v, v1):+5.2f} %)    {T:8.2f}     {T1:8.2f} ({apart(T, T1):+5.2f} %)"
         yield ""
         yield "Copper on the plate: first hits; critical velocity by Assadi et al. (2003) and Schmidt et al. (2006), at the temperature of each grain"
-        yield "diameter     hits    speed, m/s: before the shock    at impact      rms   temperature, K   critical, m/s      share above, %"
+        yield "diameter     hits    speed, m/s: before the shock  at impact    rms   sphere   temperature, K  sphere   critical, m/s   share above, %"
         h = s.hits
         for d in p["diameters"]:
             here = abs(h["d"]/d - 1) < 1e-6
@@ -94,8 +94,10 @@ class Results:
             v, T = h["speed_before"][here], h["temperature"][here]
             before, _, _ = s.passing(n.plate - spray.SHOCK, d)
             critical = s.critical(T)
-            yield (f"{1e6*d:5.0f} um   {here.sum():6d}                     {before.mean():8.1f}      {v.mean():8.1f}  {v.std():7.1f}         {T.mean():8.1f}   "
-                   f"{critical[0].mean():6.0f}  {critical[1].mean():6.0f}     {100*(v > critical[0]).mean():6.1f}  {100*(v > critical[1]).mean():6.1f}")
+            way = s.flight(d)
+            yield (f"{1e6*d:5.0f} um   {here.sum():6d}                     {before.mean():8.1f}    {v.mean():8.1f}{v.std():7.1f} {way[1][-1]:8.1f}"
+                   f"         {T.mean():8.1f}{way[2][-1]:8.1f}   {critical[0].mean():6.0f}{critical[1].mean():8.0f}"
+                   f"     {100*(v > critical[0]).mean():6.1f}{100*(v > critical[1]).mean():7.1f}")
         yield ""
         yield f"Deposit of the {1e6*p['dParticle']:g} um, radius over that of the exit; mass that hits, and of it above the critical velocity (Assadi, Schmidt)"
         yield "radius           hits   kg/m2 per kg sprayed    above, %          speed, m/s"
