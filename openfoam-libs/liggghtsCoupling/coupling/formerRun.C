@@ -135,7 +135,8 @@ Foam::wordList Foam::formerRun::traces() const
       : {
             "voidFraction", "particleVelocity", "dragCoefficient", "particleMomentumSource",
             "particleMomentumOwed", "momentumOfLostGrains", "particleEnergySource", "particleEnergyOwed",
-            "energyOfLostGrains", "solidsFlux", "feltPressureGradient", "feltViscousStress",
+            "energyOfLostGrains", "particleTemperature", "particleHeatSource", "particleHeatOwed",
+            "heatOfLostGrains", "solidsFlux", "feltPressureGradient", "feltViscousStress",
             "momentumOfShares", "massOfShares", "massLeft", "energyOfShares"
         }
     )

@@ -29,7 +29,8 @@ void Foam::liggghtsSession::checkHeat() const
             "Script " + script_ + ": no fix fluid/heat coupled, so the grains have no"
             " temperature, which " + (requested_.heat ? "the model heat" : "a model")
           + " of fvOptions needs; add\n    plugin load fluidheatplugin.so\n"
-            "    fix heat all fluid/heat coupled"
+            "    fix capacity all property/global thermalCapacity peratomtype <J/(kg K) of each atom type>\n"
+            "    fix heat all fluid/heat coupled temperature <K of new grains>"
         );
     }
 }

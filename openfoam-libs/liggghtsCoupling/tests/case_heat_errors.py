@@ -4,6 +4,7 @@
 """Bad input to the model heat: one message that says what to do, on every rank, before time is spent."""
 # processors: 2
 
+import shutil
 import unittest
 
 import bad_case
@@ -42,7 +43,8 @@ class HeatErrors(bad_case.BadCase):
 
     def test_fix_and_model(self):
         for fixes, options, words in (
-                ("", HEAT, ("constant/in.particles", "no fix fluid/heat coupled", "the model heat", "fix heat all fluid/heat coupled")),
+                ("", HEAT, ("constant/in.particles", "no fix fluid/heat coupled", "the model heat", "thermalCapacity peratomtype",
+                             "fix heat all fluid/heat coupled temperature <K")),
                 (FIXES.replace("coupled temperature 400.0", "uniform 300 1.2 1.5e-5 1005 0.7"), HEAT, ("no fix fluid/heat coupled",)),
                 (FIXES, {}, ("fix fluid/heat coupled, but forces has no model heat", "heat { model RanzMarshall; }"))):
             for ranks in (0, 2):
@@ -94,6 +96,24 @@ class HeatErrors(bad_case.BadCase):
         box.script(folder, grains=bad_case.GRAIN, boundary="f f f")
         box.fv_options(folder)
         self.assertRefused(folder, "without the model heat", "particleHeatOwed", solver="rhoPimpleFoam")
+
+    def test_left_over_fields(self):
+        """A debt of heat of a former run whose other files were removed: not that of a run with new grains."""
+        folder = self.prepare(write_every=2)
+        self.assertRuns(folder, "rhoPimpleFoam")
+        time = max((path.parent for path in folder.glob("*/particleHeatOwed")), key=lambda path: float(path.name))
+        names = ("particleTemperature", "particleHeatSource", "particleHeatOwed", "heatOfLostGrains")
+        fields = {name: (time / name).read_bytes() for name in names}
+        box.end_at(folder, 4)
+        for path in [time / "uniform/liggghts.restart", time / "uniform/liggghtsCouplingProperties", *time.glob("particle*"),
+                     *time.glob("*OfLostGrains"), time / "voidFraction", time / "dragCoefficient"]:
+            path.unlink()
+        shutil.rmtree(folder / "postProcessing")
+        for name in names:
+            with self.subTest(name=name):
+                (time / name).write_bytes(fields[name])
+                self.assertRefused(folder, "new grains", name, solver="rhoPimpleFoam")
+                (time / name).unlink()
 
     def test_continued_with_explicit_momentum(self):
         """Such a run has no debts of energy, and asks for no file of them."""
