@@ -6,9 +6,9 @@
 """The cold spray case, shrunk: the same Allrun on a coarser mesh and for a shorter time, in a copy of the folder. Its parts that
 judge it: the nozzle's theory and the flight of one sphere, against published values."""
 
+import importlib.util
 import math
 import shutil
-import sys
 import unittest
 
 import numpy
@@ -17,10 +17,18 @@ import grainjet
 from grainjet import dictionaries
 
 COLD = grainjet.ROOT/"cases"/"coldSpray"
-sys.path.insert(0, str(COLD))
 
-import flight
-import nozzle
+
+def part(name):
+    """A module of the case."""
+    spec = importlib.util.spec_from_file_location(name, COLD/f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+flight = part("flight")
+nozzle = part("nozzle")
 
 # without the smallest, whose contacts need the small step
 SHRUNK = {"nInlet": 36, "nCone": 80, "nJet": 50, "nRadial": 12, "nLip": 5, "nBeside": 10, "spinUpIterations": 1200,
