@@ -115,7 +115,6 @@ void Foam::heatExchange::set
 )
 {
     const scalarField& V = fluid_.mesh().V();
-    const tmp<volScalarField> trho(fluid_.rho());
     const tmp<volScalarField> tc(gasThermo::of(fluid_.mesh()).Cpv());
     const volScalarField& T = fluid_.mesh().lookupObject<volScalarField>("T");
     dt_ = dt;
@@ -130,9 +129,8 @@ void Foam::heatExchange::set
         if (slope[i] > 0)
         {
             const scalar c = tc()[celli];
-            const scalar gas = trho()[celli]*fluid_.inertiaVoidFraction(celli)*V[celli]*c;
             source.slope = slope[i]/(dt*c);
-            source.he0 += slope[i]/(gas + slope[i])*c*(felt[i] - T[celli]);
+            source.he0 += c*(felt[i] - T[celli]);
         }
         particleHeatSource_[celli] = -heat[i]/(dt*V[celli]);
     }

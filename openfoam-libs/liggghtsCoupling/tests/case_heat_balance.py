@@ -15,7 +15,7 @@ import gas_box
 import heat_box
 from crowded_box import values
 from gas_box import SOLVERS, field, field_sum
-from grainjet import coupled_box as box, scripts
+from grainjet import coupled_box as box, dictionaries, scripts
 
 SPECIFIC_HEAT, HOT, PR = 800.0, 400.0, 1e-4      # a gas that conducts so well that its box is of one temperature soon
 CONVERGED = "nOuterCorrectors 20; nCorrectors 2;"
@@ -186,6 +186,19 @@ class HeatBalance(heat_box.HeatCase):
         self.assertLess(max(b for _, b in spans), 410)
         self.assertGreater(min(a for a, _ in spans), 290)
         self.assertLess(max(table["energyImbalance"]), 1e-10)
+
+    def test_grain_between_cells(self):
+        """A grain of 300 K that lies in cells of 300 K and of 600 K: none of its cells gets colder than it, but for waves of pressure."""
+        def hot_half(folder):
+            dictionaries.change(folder / "0/T", ("internalField uniform 300.0", "internalField " + dictionaries.nonuniform([300.0] * 64 + [600.0] * 64)))
+        cg = 20
+        folder = self.run_warm(steps=40, write_every=40, cells="4 4 8", walls=True, temperature=300.0, diameter=4e-3 / cg, density=8900.0,
+                               grains=([[0.0075, 0.0075, 0.0203]], [[0, 0, 0]]), prepare=hot_half,
+                               options={"drag": None, "forces": "{ heat { recovery no; } }"},
+                               plugins=f"plugin load hertzcgplugin.so\ncoarsegraining {cg} model_check warn")
+        T = field(folder / "0.004/T")
+        print(f"{T.min():.2f} to {T.max():.2f} K")
+        self.assertGreater(T.min(), 297)
 
     def assertSame(self, a, b, time, tolerance, names=("T", "U", "particleHeatSource", "particleHeatOwed", "particleTemperature")):
         for name in names:
