@@ -10,7 +10,6 @@
 #include "entryError.H"
 #include "fluidKinds.H"
 #include "fvMatrices.H"
-#include "releases.H"
 #include "switchedOffCoupling.H"
 #include "turbulenceModel.H"
 
@@ -71,7 +70,11 @@ void Foam::fv::liggghtsCoupling::advance()
     if (timeIndex_ != mesh_.time().timeIndex())
     {
         checkSources();
-        warnOfRelaxation();
+        if (couplingEntries::twoWay(coeffs_))
+        {
+            momentumRelaxation_.warn();
+            energyRelaxation_.warn();
+        }
         timeIndex_ = mesh_.time().timeIndex();
         pipeline_->advance();
     }
@@ -110,30 +113,6 @@ void Foam::fv::liggghtsCoupling::checkSources() const
                 }
             }
         );
-    }
-}
-
-
-void Foam::fv::liggghtsCoupling::noteRelaxation(const fvMatrix<vector>& eqn)
-{
-    // As fvMatrix::relax() chooses it
-    relaxed_ = eqn.psi().select(releases::isFinalIteration(mesh_));
-    relaxation_ =
-        mesh_.relaxEquation(relaxed_) ? mesh_.equationRelaxationFactor(relaxed_) : 1;
-}
-
-
-void Foam::fv::liggghtsCoupling::warnOfRelaxation()
-{
-    if (relaxation_ < 1 && !warned_ && couplingEntries::twoWay(coeffs_))
-    {
-        warned_ = true;
-        WarningInFunction
-            << "The last momentum equation of the time step is relaxed: factor " << relaxation_
-            << " for " << relaxed_ << " in relaxationFactors.equations of fvSolution. So the"
-            << " solver does not satisfy it, and the fluid loses a part of the momentum that"
-            << " grains give to it, which the column imbalance cannot show. Set " << relaxed_
-            << " 1" << endl;
     }
 }
 
@@ -178,8 +157,8 @@ Foam::fv::liggghtsCoupling::liggghtsCoupling
     ),
     cloud_(mesh),
     timeIndex_(mesh.time().timeIndex()),
-    relaxation_(1),
-    warned_(false)
+    momentumRelaxation_("momentum", "imbalance"),
+    energyRelaxation_("energy", "energyImbalance")
 {
     fieldNames_ = wordList(1, coeffs_.lookupOrDefault<word>("U", "U"));
     if (turbulence_)
@@ -221,7 +200,7 @@ void Foam::fv::liggghtsCoupling::addSup
     fluid_->checkEquation(eqn);
 
     advance();
-    noteRelaxation(eqn);
+    momentumRelaxation_.note(eqn);
     pipeline_->addSup(eqn);
 }
 
@@ -298,6 +277,7 @@ void Foam::fv::liggghtsCoupling::addSup
             }
         );
     }
+    energyRelaxation_.note(eqn);
     pipeline_->addEnergySup(eqn);
 }
 

@@ -6,6 +6,7 @@ stream of gas see case_compressible_stream.py."""
 # processors: 2
 # label: long
 
+import shutil
 import unittest
 
 import numpy
@@ -148,6 +149,24 @@ class Compressible(gas_box.GasCase):
                 for name in ("U", "p", "T", "phi"):
                     a, b = ((f / "0.0003" / name).read_bytes() for f in (alone, coupled))
                     self.assertEqual(a, b, name)
+
+    def test_relaxed_last_energy_equation(self):
+        """It is not satisfied, so that energy gets lost: a warning, once. None if only the correctors before are
+        relaxed, or for one-way coupling."""
+        for factors, coupling, warnings in (('"e.*" 0.7;', "twoWay", 1), ("e 0.7;", "twoWay", 0), ('"e.*" 0.7;', "oneWay", 0)):
+            with self.subTest(factors=factors, coupling=coupling):
+                folder = self.new_folder()
+                self.run_gas(steps=1, into=folder, grains=box.swarm(5, 3), cells="2 2 4", check=False)
+                for time in folder.glob("0.*"):
+                    shutil.rmtree(time)
+                box.fv_options(folder, fluid="compressible", coupling=coupling)
+                dictionaries.change(folder / "system/controlDict", ("endTime 0.0001", "endTime 0.0004"))
+                dictionaries.change(folder / "system/fvSolution",
+                                    ("PIMPLE", f"relaxationFactors {{ equations {{ {factors} }} }}\nPIMPLE"),
+                                    ("nOuterCorrectors 1", "nOuterCorrectors 2"))
+                output = self.foam("rhoPimpleFoam", folder).output
+                self.assertEqual(output.count("last energy equation of the time step is relaxed"), warnings, output)
+                self.assertEqual("for eFinal in relaxationFactors" in output, warnings == 1)
 
     def test_refused(self):
         """Before time is spent, with file, entry and remedy; a solver without an equation of energy in its
