@@ -124,7 +124,8 @@ class Results:
         a, core = self.real["exit"]["axis"], self.core
         # not the pressure, which changes by 4.4 % where the Mach number changes by 1 %, and by 6 % from the axis to the wall
         worst = max(abs(apart(a[q], core[q])) for q in ("M", "T"))
-        checks.append((worst < 3, f"exit, the job's gas on the axis: Mach number, temperature within {worst:.2f} % of the theory for the area of the core (3 %)"))
+        checks.append((worst < 3, f"exit, the job's gas on the axis: Mach number, temperature within {worst:.2f} % of the theory "
+                       "for the area of the core (3 %)"))
         total = a["T"]*(1 + 0.5*(s.n.gamma - 1)*a["M"]**2)
         checks.append((abs(total/p["TStagnation"] - 1) < 0.005, f"exit, on the axis: total temperature {total:.1f} K of {p['TStagnation']:g} K (0.5 %)"))
         for d, (count, v, T, v1, T1) in self.exit.items():
