@@ -2,7 +2,7 @@
 # Grainjet: coarse-grained CFD-DEM for particle-laden jets
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Axis of round jets of a gas, of Mach 0.98 and 1.63 (and 0.51, which does not converge), with k-epsilon models of rhoSimpleFoam.
+"""Axis of round jets of a gas, of Mach 0.51, 0.98 and 1.63, with k-epsilon models of rhoSimpleFoam.
 
     jets.py <work folder> [--reference <folder>] [--iterations 2400] [--jets M0.5 ...] [--models kEpsilon ...] [--coarse]
 
@@ -69,12 +69,15 @@ snGradSchemes { default corrected; }
 SOLUTION = """
 solvers
 {
-    p { solver PBiCGStab; preconditioner DILU; tolerance 1e-10; relTol 0.01; }
+    p { solver PBiCGStab; preconditioner %s; tolerance 1e-10; relTol 0.01; }
     "(U|h|k|epsilon)" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; relTol 0.01; minIter 1; }
 }
-SIMPLE { transonic yes; nNonOrthogonalCorrectors 0; pMinFactor 0.3; pMaxFactor 3; }
-relaxationFactors { fields { p 0.3; rho 0.5; } equations { p 1; U 0.5; h 0.5; "(k|epsilon)" 0.5; } }
+SIMPLE { transonic %s; nNonOrthogonalCorrectors 0; pMinFactor %g; pMaxFactor %g; }
+relaxationFactors { fields { p 0.3; rho %g; } equations { p 1; %s } }
 """
+# of jets slower and faster than sound: the transonic form does not converge below
+SLOW = "DIC", "no", 0.5, 2, 0.3, 'U 0.7; h 0.7; "(k|epsilon)" 0.6;'
+FAST = "DILU", "yes", 0.3, 3, 0.5, 'U 0.5; h 0.5; "(k|epsilon)" 0.5;'
 
 THERMO = """
 thermoType
@@ -97,7 +100,7 @@ def write(case, jet, model, cells):
     T = ratio*T_AIR
     U = mach*math.sqrt(GAMMA*R_GAS*T)
     dictionaries.write(case/"system/fvSchemes", SCHEMES)
-    dictionaries.write(case/"system/fvSolution", SOLUTION)
+    dictionaries.write(case/"system/fvSolution", SOLUTION % (FAST if mach > 1 else SLOW))
     foam.write_control(case, 1)
     dictionaries.write(case/"constant/thermophysicalProperties", THERMO % (MOL, CP))
     name, coefficients = MODELS[model]
@@ -204,7 +207,7 @@ def main():
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--reference", type=pathlib.Path)
     parser.add_argument("--iterations", type=int, default=2400)
-    parser.add_argument("--jets", nargs="+", choices=JETS, default=["M0.9", "M1.63"])
+    parser.add_argument("--jets", nargs="+", choices=JETS, default=list(JETS))
     parser.add_argument("--models", nargs="+", choices=MODELS, default=["kEpsilon", "jetKEpsilon"])
     parser.add_argument("--coarse", action="store_true", help="half the cells in each direction, to judge the mesh")
     args = parser.parse_args()
