@@ -31,7 +31,7 @@ flight = part("flight")
 nozzle = part("nozzle")
 
 # without the smallest, whose contacts need the small step
-SHRUNK = {"nInlet": 36, "nCone": 80, "nJet": 50, "nRadial": 12, "nLip": 5, "nBeside": 10, "spinUpIterations": 1200,
+SHRUNK = {"nInlet": 36, "nCone": 80, "nJet": 50, "nRadial": 12, "nLip": 5, "nBeside": 10, "spinUpIterations": 700,
           "diameters": "(10e-6 20e-6 50e-6)", "massFractions": "(0.02 0.5 0.48)",
           "insertionPlace": -0.010, "insertionRadius": 0.0005, "Uinsertion": 80, "fluidStep": 4e-7, "couplingInterval": 200,
           "insertionInterval": 1000, "endTime": 0.00056, "writeInterval": 0.00028}
