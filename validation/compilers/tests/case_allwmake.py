@@ -241,6 +241,11 @@ class Allwmake(grainjet.Case):
         self.assertEqual(kept(VERSION="2"), [True]*len(products))
         self.assertEqual(kept(VERSION="2", CXX="clang++", WM_COMPILER="Clang"), [False]*len(products))
 
+        # the same compiler by another path: CMake would drop the options that it is given
+        products[0].write_text("CMAKE_CXX_COMPILER:STRING=/elsewhere/clang++\n")
+        self.assertEqual(self.allwmake(VERSION="2", CXX="clang++", WM_COMPILER="Clang")[0].code, 0)
+        self.assertFalse(products[0].exists())
+
 
 class Plugins(unittest.TestCase):
 
