@@ -65,7 +65,12 @@ entryTable ofTheCoupling(const bool on, const bool adjusted)
         {
             "couplingInterval",
             rule(valueType::COUNT, adjusted ? knownEntries::OPTIONAL : knownEntries::REQUIRED)
-           .means("DEM steps per fluid step").like("10")
+           .means("DEM steps per fluid step, or per sub-step of it").like("10")
+        },
+        {
+            "subSteps",
+            rule(valueType::COUNT)
+           .means("exchanges with the grains per fluid step").like("1")
         },
         {"coupling", wordList({"twoWay", "oneWay"})},
         {"voidFraction", rule(valueType::DICTIONARY).like("{ model divided; }")},

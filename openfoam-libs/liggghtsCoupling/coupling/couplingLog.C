@@ -105,6 +105,15 @@ void Foam::couplingLog::writeTableHeader()
         os,
         "bytes sent and searches through the mesh: since the start"
     );
+    if (subSteps_)
+    {
+        writeHeader
+        (
+            os,
+            "fluidChange [m/s]: by how much the fluid at the grains has changed in the step before, in the mean;"
+            " to be compared with meanSlip"
+        );
+    }
     if (joule_)
     {
         writeHeader(os, joule_->header());
@@ -130,6 +139,10 @@ void Foam::couplingLog::writeTableHeader()
     {
         writeTabbed(os, column);
     }
+    if (subSteps_)
+    {
+        writeTabbed(os, "fluidChange");
+    }
     if (joule_)
     {
         for (const word& column : joule_->columns())
@@ -151,6 +164,7 @@ Foam::couplingLog::couplingLog
 (
     const fvMesh& mesh,
     const bool twoWay,
+    const bool subSteps,
     const bool full,
     const bool energy,
     const bool heat
@@ -159,6 +173,7 @@ Foam::couplingLog::couplingLog
     functionObjects::writeFile(mesh, "liggghtsCoupling", "balance", dictionary()),
     mesh_(mesh),
     twoWay_(twoWay),
+    subSteps_(subSteps),
     full_(full),
     warned_(false),
     missed_(false),
@@ -255,7 +270,7 @@ void Foam::couplingLog::write(const step& values)
 
     const vector sums = returnReduce
     (
-        vector(values.grains.owned, values.grains.remote, values.bytes),
+        vector(values.slips, values.grains.remote, values.bytes),
         sumOp<vector>()
     );
     const label remote = sums[1];
@@ -302,7 +317,12 @@ void Foam::couplingLog::write(const step& values)
     printProvided(values.counts.contacts);
     Info<< ", max solid fraction " << maxSolidFraction
         << ", slip " << slip
-        << " m/s, Rayleigh ";
+        << " m/s, ";
+    if (subSteps_)
+    {
+        Info<< "change of the fluid " << values.fluidChange << " m/s, ";
+    }
+    Info<< "Rayleigh ";
     printProvided(values.counts.rayleigh);
     Info<< " %, momentum to grains " << toGrains
         << " N s, imbalance " << imbalance;
@@ -352,6 +372,10 @@ void Foam::couplingLog::write(const step& values)
             << tab << values.demSeconds << tab << couplingSeconds
             << tab << remote << tab << digits(sums[2]).c_str()
             << tab << digits(removed[2]).c_str();
+        if (subSteps_)
+        {
+            os  << tab << values.fluidChange;
+        }
         if (joule_)
         {
             joule_->write(os);

@@ -8,6 +8,7 @@
 #include "couplingCase.H"
 #include "couplingChecks.H"
 #include "couplingEntries.H"
+#include "grainWatcher.H"
 #include "noFloatTraps.H"
 #include "host/grainjet_version.h"
 
@@ -115,6 +116,84 @@ Foam::autoPtr<Foam::voidFractionEquations> Foam::couplingPipeline::newEquations(
 }
 
 
+void Foam::couplingPipeline::closeFluidStep(couplingLog::step& step)
+{
+    if (equations_)
+    {
+        equations_->closeStep();
+    }
+    if (heat_)
+    {
+        heat_->close();
+    }
+    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), heat_.get(), gas_);
+    if (steps_.subSteps() > 1)
+    {
+        step.fluidChange = momentum_.fluidChange();
+    }
+}
+
+
+void Foam::couplingPipeline::fly
+(
+    const label subStep,
+    const label n,
+    const clockTime& clock,
+    couplingLog::step& step
+)
+{
+    const label subSteps = steps_.subSteps();
+    const bool first = (subStep == 0);
+    fluid_.setSubStep(subStep, subSteps);
+
+    // What the fluid is still owed moves to where the grains have come to at the end of a fluid step
+    const bool moved = first && debts_ && debts_->take(*grains_, averages_, fluid_);
+    const bool heatMoved = first && heatDebts_ && heatDebts_->take(*grains_, averages_, fluid_);
+    step.add(averages_.update(*grains_), subSteps);
+    if (moved)
+    {
+        debts_->give(*grains_, averages_);
+    }
+    const scalar returned = heatMoved ? heatDebts_->giveHeat(*grains_) : 0;
+    if (forces_.requests().heat)
+    {
+        averages_.updateTemperature(*grains_);
+    }
+    if (equations_)
+    {
+        equations_->beginStep();
+        step.fluidVolume =
+            sum(averages_.voidFraction().primitiveField()*fluid_.mesh().V().field());
+    }
+    step.slipSum += forces_.act(*grains_, records_, first);
+    step.slips += grains_->size();
+    if (debts_)
+    {
+        debts_->remember(records_, fluid_.mesh().time().deltaTValue());
+    }
+
+    const scalar before = clock.elapsedTime();
+    {
+        const noFloatTraps asInTheStockProgram;
+        session_.advance(n);
+    }
+    // It ends with a reduction, so that waiting for the slowest rank is time of DEM
+    step.demSeconds += clock.elapsedTime() - before;
+    if (subStep + 1 < subSteps)
+    {
+        grainWatcher::tellAll(fluid_.mesh().time(), fluid_.interval());
+    }
+
+    step.add(momentum_.receive(*grains_, forces_, records_, averages_, first));
+    step.received.heat += returned;
+    if (heatDebts_)
+    {
+        heatDebts_->remember(records_, fluid_.mesh().time().deltaTValue());
+    }
+    step.add(grains_->numbers());
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingPipeline::couplingPipeline
@@ -176,8 +255,8 @@ Foam::couplingPipeline::couplingPipeline
     ),
     log_
     (
-        fluid.mesh(), couplingEntries::twoWay(dict), voidFractionEquations::full(dict), bool(energy_),
-        bool(heat_)
+        fluid.mesh(), couplingEntries::twoWay(dict), steps_.subSteps() > 1,
+        voidFractionEquations::full(dict), bool(energy_), bool(heat_)
     )
 {
     if (energy_)
@@ -235,61 +314,18 @@ void Foam::couplingPipeline::advance()
     scalar previous;
     const label n = steps_.next(session_, previous);
     fluid_.setPreviousStep(previous);
-    if (equations_)
-    {
-        equations_->closeStep();
-    }
-    if (heat_)
-    {
-        heat_->close();
-    }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), heat_.get(), gas_);
+    closeFluidStep(step);
 
-    const bool moved = debts_ && debts_->take(*grains_, averages_, fluid_);
-    const bool heatMoved = heatDebts_ && heatDebts_->take(*grains_, averages_, fluid_);
-    step.cells = averages_.update(*grains_);
-    if (moved)
+    for (label subStep = 0; subStep < steps_.subSteps(); ++subStep)
     {
-        debts_->give(*grains_, averages_);
+        fly(subStep, n, clock, step);
     }
-    const scalar returned = heatMoved ? heatDebts_->giveHeat(*grains_) : 0;
-    if (forces_.requests().heat)
-    {
-        averages_.updateTemperature(*grains_);
-    }
-    if (equations_)
-    {
-        equations_->beginStep();
-        step.fluidVolume =
-            sum(averages_.voidFraction().primitiveField()*fluid_.mesh().V().field());
-    }
-    step.slipSum = forces_.act(*grains_, records_);
-    if (debts_)
-    {
-        debts_->remember(records_, fluid_.mesh().time().deltaTValue());
-    }
-
-    const scalar before = clock.elapsedTime();
-    {
-        const noFloatTraps asInTheStockProgram;
-        session_.advance(n);
-    }
-    // It ends with a reduction, so that waiting for the slowest rank is time of DEM
-    step.demSeconds = clock.elapsedTime() - before;
-
-    step.received = momentum_.receive
+    momentum_.set
     (
-        *grains_, forces_, records_, averages_,
-        equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
+        averages_, equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
     );
-    step.received.heat += returned;
-    if (heatDebts_)
-    {
-        heatDebts_->remember(records_, fluid_.mesh().time().deltaTValue());
-    }
 
     step.counts = session_.counts();
-    step.grains = grains_->numbers();
     step.searches = locator_.searches();
     step.bytes = grains_->bytes() + averages_.shares().bytes();
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;

@@ -8,6 +8,7 @@
 #include "couplingEntries.H"
 #include "entryError.H"
 #include "Time.H"
+#include "voidFractionEquations.H"
 
 #include <cmath>
 #include <iomanip>
@@ -31,7 +32,8 @@ void Foam::demSteps::choose(liggghtsSession& session)
 {
     const scalar fluid = mesh_.time().deltaTValue();
     const scalar longest = session.scriptTimeStep();
-    const scalar ratio = fluid/longest;
+    const scalar interval = fluid/subSteps_;
+    const scalar ratio = interval/longest;
 
     if (!(ratio < 1e9))
     {
@@ -50,12 +52,13 @@ void Foam::demSteps::choose(liggghtsSession& session)
 
     const label before = n_;
     n_ = max(label(1), label(std::ceil(ratio*(1 - margin))));
-    session.setTimeStep(mag(fluid - n_*longest) <= margin*fluid ? longest : fluid/n_);
+    session.setTimeStep(mag(interval - n_*longest) <= margin*interval ? longest : interval/n_);
 
     if (n_ != before)
     {
         Info<< "liggghtsCoupling: " << n_ << " DEM steps of " << session.timeStep()
-            << " s in a fluid step of " << fluid << " s" << endl;
+            << " s in " << (subSteps_ > 1 ? "each of " + std::to_string(subSteps_) + " sub-steps of " : "")
+            << "a fluid step of " << fluid << " s" << endl;
     }
 }
 
@@ -63,10 +66,11 @@ void Foam::demSteps::choose(liggghtsSession& session)
 void Foam::demSteps::checkFixed(const liggghtsSession& session) const
 {
     const label interval = dict_.get<label>("couplingInterval");
+    const scalar steps = scalar(subSteps_)*interval;
     const scalar fluid = mesh_.time().deltaTValue();
     const scalar dem = session.timeStep();
 
-    if (mag(fluid - interval*dem) <= margin*fluid)
+    if (mag(fluid - steps*dem) <= margin*fluid)
     {
         return;
     }
@@ -89,13 +93,20 @@ void Foam::demSteps::checkFixed(const liggghtsSession& session) const
     std::ostringstream message;
     message
         << std::setprecision(10)
-        << "The fluid step is not couplingInterval DEM steps: deltaT " << fluid
-        << " s (system/controlDict), couplingInterval " << interval
-        << ", timestep " << dem << " s (" << dict_.get<fileName>("script") << "), product "
-        << interval*dem << " s.\n    Set deltaT to " << interval*dem;
-    if (std::round(fluid/dem) >= 1 && fluid/dem < scalar(labelMax))
+        << "The fluid step is not " << (subSteps_ > 1 ? "subSteps times " : "")
+        << "couplingInterval DEM steps: deltaT " << fluid << " s (system/controlDict), ";
+    if (subSteps_ > 1)
     {
-        message << " or couplingInterval to " << fluid/dem;
+        message << "subSteps " << subSteps_ << ", ";
+    }
+    message
+        << "couplingInterval " << interval
+        << ", timestep " << dem << " s (" << dict_.get<fileName>("script") << "), product "
+        << steps*dem << " s.\n    Set deltaT to " << steps*dem;
+    const scalar fitting = fluid/dem/subSteps_;
+    if (std::round(fitting) >= 1 && fitting < scalar(labelMax))
+    {
+        message << " or couplingInterval to " << fitting;
     }
 
     couplingEntries::onMaster
@@ -121,6 +132,7 @@ Foam::demSteps::demSteps
     dict_(dict),
     mesh_(mesh),
     adjusted_(adjusted(mesh.time())),
+    subSteps_(subSteps(dict)),
     n_(0),
     previous_(previous)
 {}
@@ -134,8 +146,29 @@ bool Foam::demSteps::adjusted(const Time& time)
 }
 
 
+Foam::label Foam::demSteps::subSteps(const dictionary& dict)
+{
+    return dict.lookupOrDefault<label>("subSteps", 1);
+}
+
+
 void Foam::demSteps::checkEntries(const dictionary& dict, const Time& time)
 {
+    const label n = subSteps(dict);
+    if (n > 1 && voidFractionEquations::full(dict))
+    {
+        FatalIOErrorInEntry(dict, "subSteps")
+            << "subSteps " << n << " with equations full of voidFraction: where grains fill so much of the"
+            << " cells that they count there, the fluid between them changes as they move, and cannot"
+            << " stay as it is for several intervals. Remove subSteps and shorten deltaT, or set equations"
+            << " neglected" << exit(FatalIOError);
+    }
+    if (n > 1 && dict.lookupOrDefault<Switch>("selfDisturbance", false))
+    {
+        FatalIOErrorInEntry(dict, "subSteps")
+            << "subSteps " << n << " with selfDisturbance yes: the wake of a grain is known for a fluid that"
+            << " answers to each interval. Remove subSteps, or selfDisturbance" << exit(FatalIOError);
+    }
     if (adjusted(time) && dict.found("couplingInterval"))
     {
         FatalIOErrorInEntry(dict, "couplingInterval")
@@ -185,7 +218,8 @@ void Foam::demSteps::report(const liggghtsSession& session, Ostream& os) const
     else
     {
         os  << dict_.get<label>("couplingInterval") << " DEM steps of " << session.timeStep()
-            << " s per fluid step";
+            << " s per " << (subSteps_ > 1 ? "sub-step, " + std::to_string(subSteps_) + " sub-steps per " : "")
+            << "fluid step";
     }
 }
 

@@ -159,6 +159,8 @@ Foam::carrierFluid::carrierFluid
     g_(Zero),
     hasGravity_(false),
     previousStep_(0),
+    subSteps_(1),
+    subStep_(0),
     mesh_(mesh),
     dict_(dict),
     coeffs_(coefficients(dict)),

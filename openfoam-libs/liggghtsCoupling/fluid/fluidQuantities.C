@@ -137,7 +137,7 @@ const Foam::labelList& Foam::fluidQuantities::firstLane()
 }
 
 
-void Foam::fluidQuantities::update()
+void Foam::fluidQuantities::update(const bool all)
 {
     firstLane();
 
@@ -150,6 +150,10 @@ void Foam::fluidQuantities::update()
             quantity.ofCell()
           ? ofCells_.fields[nOfCells++] : interpolated_.fields[nInterpolated++];
         const bool asTheyAre = quantity.ofCell() || quantity.hasBoundaryValues();
+        if (!all && !quantity.changesWithGrains())
+        {
+            continue;
+        }
 
         if (quantity.isVector())
         {

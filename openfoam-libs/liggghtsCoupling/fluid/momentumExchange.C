@@ -16,10 +16,13 @@ void Foam::momentumExchange::deposit
 (
     const ownedGrains& grains,
     const UList<grainForces::record>& records,
-    cellAverages& averages,
-    const scalar dt
+    cellAverages& averages
 )
 {
+    const scalar dt = fluid_.mesh().time().deltaTValue();
+    const scalar interval = fluid_.interval();
+    const scalar part = 1.0/fluid_.subSteps();
+
     averages.shares().deposit<exchanged>
     (
         grains.size(),
@@ -35,23 +38,30 @@ void Foam::momentumExchange::deposit
                     r.dragCoefficient, r.allCoefficients, r.mass, r.addedMass, dt, r.voidFraction
                 );
                 // A grain that is held received more than one that is free to move
+                const scalar free =
+                    fluid_.subSteps() == 1
+                  ? slope
+                  : grainMomentum::slope
+                    (
+                        r.dragCoefficient, r.allCoefficients, r.mass, r.addedMass, interval, r.voidFraction
+                    );
                 const scalar seen =
-                    (impulse_[g] & r.slip)/(dt*r.voidFraction*(magSqr(r.slip) + VSMALL));
-                slope = max(slope, min(seen, r.dragCoefficient/r.voidFraction));
+                    (impulse_[g] & r.slip)/(interval*r.voidFraction*(magSqr(r.slip) + VSMALL));
+                slope = max(slope, min(seen, r.dragCoefficient/r.voidFraction) + (slope - free));
             }
             const scalar heatSlope =
                 r.heatCapacity > 0
               ? debtTransport::weight(r.heatTransferCoefficient, r.heatCapacity, dt) : 0;
             return exchanged
             {
-                impulse_[g], r.dragCoefficient, slope, r.mass + r.addedMass,
+                impulse_[g], part*r.dragCoefficient, part*slope, part*(r.mass + r.addedMass),
                 work_.empty() ? 0 : work_[g], heat_.empty() ? 0 : heat_[g],
-                heatSlope, heatSlope*r.fluidTemperature
+                part*heatSlope, part*heatSlope*r.fluidTemperature
             };
         },
         [&](const label celli, const scalar fraction, const exchanged& e)
         {
-            exchanged& sum = averages.cells().sum(exchanged_, celli);
+            exchanged& sum = occupied_.sum(exchanged_, celli);
             sum.impulse += fraction*e.impulse;
             sum.dragCoefficient += fraction*e.dragCoefficient;
             sum.slope += fraction*e.slope;
@@ -62,6 +72,29 @@ void Foam::momentumExchange::deposit
             sum.slopeTemperature += fraction*e.slopeTemperature;
         }
     );
+}
+
+
+void Foam::momentumExchange::addCells(const grainForces& forces, cellAverages& averages)
+{
+    const scalar interval = fluid_.interval();
+    const labelUList& cells = averages.cells().cells();
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        occupied_.sum(exchanged_, celli);
+        stressOfCell& sum = occupied_.sum(stressed_, celli);
+        sum.volume += averages.solidVolume(i);
+        if (!full_ && !setI_)
+        {
+            const vector reaction
+            (
+                interval*averages.solidVolume(i)*forces.stressDensity(celli)
+            );
+            sum.impulse += reaction;
+            sum.work += reaction & averages.particleVelocity()[celli];
+        }
+    }
 }
 
 
@@ -86,6 +119,31 @@ void Foam::momentumExchange::setHeat
 }
 
 
+void Foam::momentumExchange::warnOfStiffDrag(const scalarField& slope)
+{
+    const fvMesh& mesh = fluid_.mesh();
+    const tmp<volScalarField> trho(fluid_.rho());
+    const scalarField& rho = trho().primitiveField();
+    scalar stiffness = 0;
+    forAll(slope, i)
+    {
+        const label celli = occupied_.cells()[i];
+        stiffness = max(stiffness, slope[i]*mesh.time().deltaTValue()/(rho[celli]*mesh.V()[celli]));
+    }
+    reduce(stiffness, maxOp<scalar>());
+    if (!warnedOfDrag_ && twoWay_ && stiffness > 1)
+    {
+        warnedOfDrag_ = true;
+        WarningInFunction
+            << "subSteps " << fluid_.subSteps() << ", time " << mesh.time().timeName()
+            << ": within the fluid step the drag of grains in a cell would change its fluid "
+            << stiffness << " times as much as their slip (K dt/(rho V)). They should not fly through"
+            << " a fluid that stays as it is for so long. Shorten deltaT, with subSteps, if this"
+            << " comes with large velocities. This is said once" << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::momentumExchange::momentumExchange
@@ -94,10 +152,13 @@ Foam::momentumExchange::momentumExchange
     const carrierFluid& fluid
 )
 :
+    fluid_(fluid),
     twoWay_(couplingEntries::twoWay(dict)),
     setI_(couplingEntries::setI(dict)),
     full_(voidFractionEquations::full(dict)),
     momentum_(grainMomentum::New(dict, fluid)),
+    occupied_(fluid.mesh().nCells()),
+    warnedOfDrag_(false),
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_
     (
@@ -122,24 +183,16 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     const grainForces& forces,
     UList<grainForces::record>& records,
     cellAverages& averages,
-    const vectorField& stress,
-    energyExchange* energy,
-    heatExchange* heat
+    const bool newStep
 )
 {
-    const fvMesh& mesh = dragCoefficient_.mesh();
-    const scalar dt = mesh.time().deltaTValue();
-    const scalarField& V = mesh.V();
-
-    for (const label celli : averages.cells().previous())
+    if (newStep)
     {
-        dragCoefficient_[celli] = 0;
-        particleMomentumSource_[celli] = Zero;
-        responseTime_[celli] = 0;
+        occupied_.clear();
+        exchanged_.clear();
+        stressed_.clear();
     }
-
-    exchanged_.clear();
-    exchanged_.setSize(averages.cells().cells().size(), exchanged{});
+    addCells(forces, averages);
     const ownedGrains::received received = grains.receiveImpulse
     (
         impulse_,
@@ -147,7 +200,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
         heat_,
         [&](const label celli, const vector& impulse, const scalar work, const scalar received)
         {
-            exchanged& sum = averages.cells().sum(exchanged_, celli);
+            exchanged& sum = occupied_.sum(exchanged_, celli);
             sum.impulse += impulse;
             sum.work += work;
             sum.heat += received;
@@ -160,17 +213,40 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
             records[g].heatTransferCoefficient = 0;
         }
     }
-    deposit(grains, records, averages, dt);
+    deposit(grains, records, averages);
+    return received;
+}
+
+
+void Foam::momentumExchange::set
+(
+    cellAverages& averages,
+    const vectorField& stress,
+    energyExchange* energy,
+    heatExchange* heat
+)
+{
+    const fvMesh& mesh = dragCoefficient_.mesh();
+    const scalar dt = mesh.time().deltaTValue();
+    const scalarField& V = mesh.V();
+
+    for (const label celli : occupied_.previous())
+    {
+        dragCoefficient_[celli] = 0;
+        particleMomentumSource_[celli] = Zero;
+        responseTime_[celli] = 0;
+    }
     if (averages.filter())
     {
         averages.filter()->spread
         (
-            averages.cells(), exchanged_,
+            occupied_, exchanged_,
             heat ? exchanged::all : energy ? exchanged::withoutHeat : exchanged::withoutEnergy
         );
     }
+    stressed_.setSize(exchanged_.size(), stressOfCell{});
 
-    const labelUList& cells = averages.cells().cells();
+    const labelUList& cells = occupied_.cells();
     felt_.clear();
     vectorField impulse(cells.size());
     scalarField slope(cells.size());
@@ -192,12 +268,8 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
         }
         else if (!full_ && !setI_)
         {
-            const vector reaction
-            (
-                dt*averages.solidVolume(i)*forces.stressDensity(celli)
-            );
-            e.impulse += reaction;
-            e.work += reaction & averages.particleVelocity()[celli];
+            e.impulse += stressed_[i].impulse;
+            e.work += stressed_[i].work;
         }
         else if (full_ && energy)
         {
@@ -224,7 +296,7 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
             response[i] = free*dt/e.mass*min(free/e.slope, 1.0);
         }
         responseTime_[celli] =
-            averages.filter() && averages.solidVolume(i) < grainFilter::tiny*V[celli]
+            averages.filter() && stressed_[i].volume < grainFilter::tiny*V[celli]
           ? 0
           : e.mass/(e.dragCoefficient + VSMALL);
         dragCoefficient_[celli] = e.dragCoefficient/V[celli];
@@ -243,7 +315,11 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
     {
         setHeat(*heat, cells, dt);
     }
-    return received;
+    if (fluid_.subSteps() > 1)
+    {
+        warnOfStiffDrag(slope);
+        change_.begin(fluid_.U(), cells, dragCoefficient_);
+    }
 }
 
 

@@ -110,6 +110,11 @@ struct voidFractionQuantity
 {
     TypeName("voidFraction");
     using fieldQuantity::fieldQuantity;
+
+    virtual bool changesWithGrains() const override
+    {
+        return true;
+    }
 };
 
 

@@ -61,7 +61,7 @@ void Foam::MagnusForce::add(grainBatch& grains) const
     const lane& rho = *grains.fluid(rho_);
     const lane& nu = *grains.fluid(nu_);
     const lane* curlU = grains.fluid(curlU_);
-    const scalar interval = fluid_.mesh().time().deltaTValue();
+    const scalar interval = fluid_.interval();
 
     lane L[3];
     for (label i = 0; i < grainBatch::size; ++i)

@@ -42,7 +42,7 @@ void Foam::fluidTorqueForce::add(grainBatch& grains) const
     const lane& rho = *grains.fluid(rho_);
     const lane& nu = *grains.fluid(nu_);
     const lane* curlU = grains.fluid(curlU_);
-    const scalar interval = fluid_.mesh().time().deltaTValue();
+    const scalar interval = fluid_.interval();
 
     for (label i = 0; i < grainBatch::size; ++i)
     {

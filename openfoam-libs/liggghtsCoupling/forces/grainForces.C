@@ -269,14 +269,15 @@ void Foam::grainForces::report(Ostream& os) const
 Foam::scalar Foam::grainForces::act
 (
     ownedGrains& grains,
-    DynamicList<record>& records
+    DynamicList<record>& records,
+    const bool newFluid
 )
 {
     for (grainForce& force : forces_)
     {
         force.prepare();
     }
-    quantities_.update();
+    quantities_.update(newFluid);
     sampler_->update(quantities_.interpolated());
 
     const label n = grains.size();

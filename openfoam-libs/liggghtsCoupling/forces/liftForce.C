@@ -72,7 +72,7 @@ Foam::liftForce::liftForce(const dictionary& dict, forceNeeds& needs)
 
 void Foam::liftForce::addLift(grainBatch& grains, const lane* L) const
 {
-    const scalar interval = fluid_.mesh().time().deltaTValue();
+    const scalar interval = fluid_.interval();
 
     bool any = false;
     bool undamped = false;

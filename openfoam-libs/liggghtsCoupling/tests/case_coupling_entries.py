@@ -20,6 +20,7 @@ PAGE = grainjet.ROOT / "docs/liggghtsCoupling.md"
 ENTRIES = {
     "script": Entry("file", '"constant/in.particles"', required=True),
     "couplingInterval": Entry("count", "10", required=True),
+    "subSteps": Entry("count", "1"),
     "coupling": Entry("choice", "twoWay"),
     "voidFraction": Entry("dictionary", "{ model divided; minimum 0.3; }"),
     "drag": Entry("choice", "Gidaspow"),

@@ -254,8 +254,7 @@ Foam::string Foam::turbulentDispersion::summary() const
 
 void Foam::turbulentDispersion::disperse(grainBatch& grains)
 {
-    const Time& time = fluid_.mesh().time();
-    dt_ = time.deltaTValue();
+    dt_ = fluid_.interval();
 
     lane* state = grains.state(fluctuation_);
     const lane& rate = *grains.state(rate_);
@@ -264,7 +263,7 @@ void Foam::turbulentDispersion::disperse(grainBatch& grains)
     for (label i = 0; i < grains.n; ++i)
     {
         nLong_ += isLong(grains, i);
-        const random numbers(seed_, grains.id[i], time.timeIndex());
+        const random numbers(seed_, grains.id[i], fluid_.intervalIndex());
         vector fluctuation(grainBatch::get(state, i));
         if (isNew(grains, i))
         {
@@ -324,7 +323,8 @@ void Foam::turbulentDispersion::checkInterval()
         if (warned_)
         {
             IOWarningInFunction(dict_)
-                << entryName << ' ' << type() << ": deltaT " << dt_ << " s is long for "
+                << entryName << ' ' << type() << ": "
+                << (fluid_.subSteps() > 1 ? "deltaT/subSteps " : "deltaT ") << dt_ << " s is long for "
                 << label(100*share + 0.5) << " % of the grains: in an interval eddies move them by more"
                 << " than a fifth of the eddy. They keep the velocity of the fluid where they come"
                 << " from, which is wrong near walls. Shorten deltaT, and couplingInterval with it."

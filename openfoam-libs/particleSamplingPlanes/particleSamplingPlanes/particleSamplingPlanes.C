@@ -127,27 +127,35 @@ void Foam::functionObjects::particleSamplingPlanes::sample()
     {
         return;
     }
+    const bool seen = (seenTimeIndex_ == timeIndex);
     if (executedTimeIndex_ >= 0 && timeIndex != executedTimeIndex_ + 1)
     {
         WarningInFunction
             << type() << ' ' << name() << " was not executed between the steps "
             << executedTimeIndex_ << " and " << timeIndex
             << ": what crossed meanwhile is not counted" << endl;
-        view_->forget();
+        if (!seen)
+        {
+            view_->forget();
+        }
     }
     executedTimeIndex_ = timeIndex;
 
+    // With sub-steps this is the last one of the step
+    const scalar end = time_.value();
+    const scalar deltaT = seen ? seen_.first().deltaT : time_.deltaTValue();
+    if (seen)
+    {
+        forAll(seen_, i)
+        {
+            book(seen_[i], end - (seen_.size() - i)*deltaT);
+        }
+        seen_.clear();
+    }
+    view_->setStep(deltaT);
     if (view_->refresh())
     {
-        if (clock_.advance(time_.deltaTValue()))
-        {
-            for (samplingPlane& plane : planes_)
-            {
-                plane.joinBatches();
-            }
-        }
-
-        bookCrossings();
+        book(findPassages(deltaT), end);
     }
 }
 
@@ -180,6 +188,8 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     keptTimeIndex_(-1),
     writtenTimeIndex_(-1),
     executedTimeIndex_(-1),
+    seen_(),
+    seenTimeIndex_(-1),
     jumped_(0),
     keeper_()
 {

@@ -52,36 +52,31 @@ Foam::label Foam::functionObjects::particleSamplingPlanes::sizeClass
 
 void Foam::functionObjects::particleSamplingPlanes::book
 (
-    const label parceli,
-    const scalar before,
-    const scalar after
+    const passages::parcel& parcel,
+    const scalar deltaT,
+    const scalar end
 )
 {
-    const particleState& now = view_->now();
-    const point& start = view_->start()[parceli];
-    const vector way(now.position[parceli] - start);
-    const scalar deltaT = time_.deltaTValue();
-
     ringStatistics::crossing c;
-    c.forward = after > before;
-    c.nParticle = now.nParticle[parceli];
-    c.mass = view_->mass(parceli);
-    c.speedOverStep = mag(way & frame_.axis())/deltaT;
+    c.forward = parcel.after > parcel.before;
+    c.nParticle = parcel.nParticle;
+    c.mass = parcel.mass;
+    c.speedOverStep = mag(parcel.way & frame_.axis())/deltaT;
 
-    const label sizei = sizeClass(view_->diameter(parceli));
+    const label sizei = sizeClass(parcel.diameter);
 
     forAll(positions_, planei)
     {
         const scalar x = positions_[planei];
 
-        if ((before < x) == (after < x))
+        if ((parcel.before < x) == (parcel.after < x))
         {
             continue;
         }
 
-        const scalar fraction = (x - before)/(after - before);
-        const point p(start + fraction*way);
-        c.velocity = frame_.components(p, now.U[parceli]);
+        const scalar fraction = (x - parcel.before)/(parcel.after - parcel.before);
+        const point p(parcel.start + fraction*parcel.way);
+        c.velocity = frame_.components(p, parcel.U);
 
         const label ring = grid_.index(frame_.radius(p));
         planes_[planei].book(ring, c, clock_.current());
@@ -99,11 +94,11 @@ void Foam::functionObjects::particleSamplingPlanes::book
         {
             events_->append
             ({
-                time_.value() - (1 - fraction)*deltaT,
+                end - (1 - fraction)*deltaT,
                 x,
                 scalar(c.forward ? 1 : -1),
-                scalar(now.origProc[parceli]),
-                scalar(now.origId[parceli]),
+                scalar(parcel.origProc),
+                scalar(parcel.origId),
                 p.x(), p.y(), p.z(),
                 c.velocity.x(), c.velocity.y(), c.velocity.z(),
                 c.nParticle,
@@ -114,14 +109,39 @@ void Foam::functionObjects::particleSamplingPlanes::book
 }
 
 
-void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
+void Foam::functionObjects::particleSamplingPlanes::book
+(
+    const passages& passed,
+    const scalar end
+)
+{
+    if (clock_.advance(passed.deltaT))
+    {
+        for (samplingPlane& plane : planes_)
+        {
+            plane.joinBatches();
+        }
+    }
+    for (const passages::parcel& parcel : passed.parcels)
+    {
+        book(parcel, passed.deltaT, end);
+    }
+    jumped_ += passed.jumped;
+}
+
+
+Foam::passages Foam::functionObjects::particleSamplingPlanes::findPassages
+(
+    const scalar deltaT
+)
 {
     const List<point>& start = view_->start();
     const particleState& now = view_->now();
     const scalar longest = 0.5*meshLength();
-    const scalar deltaT = time_.deltaTValue();
     const bool watch = view_->wantsWatch();
     DynamicList<label> toWatch;
+    passages passed;
+    passed.deltaT = deltaT;
 
     // Neighbours in the list are mostly neighbours in space
     gap here(gapAt(0));
@@ -137,11 +157,16 @@ void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
 
         if (mag(after - before) > longest)
         {
-            ++jumped_;
+            ++passed.jumped;
         }
         else if (!here.contains(before))
         {
-            book(i, before, after);
+            passed.parcels.append
+            (passages::parcel{
+                before, after, start[i], now.position[i] - start[i], now.U[i],
+                now.nParticle[i], view_->mass(i), view_->diameter(i),
+                now.origProc[i], now.origId[i]
+            });
         }
 
         if (watch && !here.contains(after + deltaT*frame_.axialPart(now.U[i])))
@@ -153,6 +178,37 @@ void Foam::functionObjects::particleSamplingPlanes::bookCrossings()
     if (watch)
     {
         view_->watch(toWatch);
+    }
+    return passed;
+}
+
+
+void Foam::functionObjects::particleSamplingPlanes::seeGrains(const scalar length)
+{
+    const scalar deltaT = time_.deltaTValue();
+    if
+    (
+        !view_ || !view_->hasSubSteps()
+     || time_.value() < timeStart_ - deltaT || time_.value() > timeEnd_ + deltaT
+    )
+    {
+        return;
+    }
+
+    const label timeIndex = time_.timeIndex();
+    if (seenTimeIndex_ != timeIndex)
+    {
+        if (executedTimeIndex_ != timeIndex - 1)
+        {
+            view_->forget();
+        }
+        seenTimeIndex_ = timeIndex;
+        seen_.clear();
+    }
+    view_->setStep(length);
+    if (view_->refresh())
+    {
+        seen_.append(findPassages(length));
     }
 }
 

@@ -78,7 +78,8 @@ Foam::functionObjects::particleSamplingPlanes::particleSamplingPlanes
     timeEnd_(VGREAT),
     triggered_(false),
     ownWriteControl_(false),
-    beginTimeIndex_(time_.timeIndex())
+    beginTimeIndex_(time_.timeIndex()),
+    seenTimeIndex_(-1)
 {
     takeOver(destroyed);
 }

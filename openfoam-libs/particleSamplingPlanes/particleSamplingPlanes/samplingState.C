@@ -162,6 +162,12 @@ void Foam::samplingState::write
 }
 
 
+void Foam::samplingState::seeGrains(const scalar length) const
+{
+    owner_->seeGrains(length);
+}
+
+
 bool Foam::samplingState::writeFiles() const
 {
     owner_->keepState();

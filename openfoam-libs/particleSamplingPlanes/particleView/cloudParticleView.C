@@ -164,7 +164,7 @@ bool Foam::cloudParticleView::refresh()
         if (gone.size())
         {
             start_.append(gone.position);
-            gone.flyOn(time.deltaTValue(), mesh_.bounds());
+            gone.flyOn(deltaT_, mesh_.bounds());
             now_.append(gone);
         }
         return true;
@@ -184,7 +184,7 @@ bool Foam::cloudParticleView::refresh()
     (
         now_,
         age,
-        time.deltaTValue(),
+        deltaT_,
         mesh_.bounds()
     );
     return true;

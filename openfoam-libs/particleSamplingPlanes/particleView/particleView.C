@@ -22,7 +22,8 @@ namespace Foam
 Foam::particleView::particleView(const fvMesh& mesh, const word& cloudName)
 :
     mesh_(mesh),
-    cloudName_(cloudName)
+    cloudName_(cloudName),
+    deltaT_(mesh.time().deltaTValue())
 {}
 
 

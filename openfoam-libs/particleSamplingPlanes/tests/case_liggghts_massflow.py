@@ -32,9 +32,9 @@ profiles
 
 class Massflow(grainjet.Case):
 
-    def run_case(self, ranks):
-        folder = self.folder/f"ranks{ranks}"
-        box.write(folder, steps=STEPS, delta_t=DT, functions=SAMPLING)
+    def run_case(self, ranks, sub_steps):
+        folder = self.folder/f"ranks{ranks}x{sub_steps}"
+        box.write(folder, steps=STEPS//sub_steps, delta_t=DT*sub_steps, functions=SAMPLING)
         rng = random.Random(11)
         positions = [[rng.uniform(0.005, 0.015), rng.uniform(0.005, 0.015),
                       rng.uniform(0.0005, 0.0395)] for _ in range(400)]
@@ -49,7 +49,7 @@ class Massflow(grainjet.Case):
                       for way, side in (("forward", 1), ("backward", -1))]
         box.script(folder, grains=box.grains(positions, velocities, diameter=GRAIN),
                    fixes="\n".join(fixes), dt=DEM_DT)
-        box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay")
+        box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay", subSteps=sub_steps)
         self.foam("blockMesh", folder)
         if ranks:
             self.foam("decomposePar", folder)
@@ -69,9 +69,11 @@ class Massflow(grainjet.Case):
         return sorted(rows)
 
     def test_same_crossings(self):
+        # A fluid step of four sub-steps: each is looked at, so that the crossings are those of four steps. The fluid
+        # stays at rest
         tables = {}
-        for ranks in (0, 2):
-            folder = self.run_case(ranks)
+        for ranks, sub_steps in ((0, 1), (2, 1), (2, 4)):
+            folder = self.run_case(ranks, sub_steps)
             theirs = self.massflow(folder)
             events = numpy.loadtxt(folder/"postProcessing/profiles/0/events.dat")
             # columns of the events: time x/D direction origProc origId x y z axial radial ...
@@ -88,8 +90,9 @@ class Massflow(grainjet.Case):
                 for a, b in zip(our[4:7], their[4:7]):
                     self.assertAlmostEqual(a, b, delta=1.1*DEM_DT*speed + 1e-3*b)
                 self.assertAlmostEqual(our[7], their[9], delta=0.02*speed)
-            tables[ranks] = numpy.loadtxt(folder/"postProcessing/profiles/0/plane_1.01D.dat")
-        self.assertEqual(list(tables[0][:, 1]), list(tables[2][:, 1]))
+            tables[ranks, sub_steps] = numpy.loadtxt(folder/"postProcessing/profiles/0/plane_1.01D.dat")
+        self.assertEqual(list(tables[0, 1][:, 1]), list(tables[2, 1][:, 1]))
+        numpy.testing.assert_allclose(tables[2, 4], tables[2, 1], rtol=1e-9, atol=1e-12)
 
     def test_grains_lost_in_the_step_of_their_crossing(self):
         # Grains leave the box 20 um behind the plane and are deleted by LIGGGHTS at once; at up
@@ -100,14 +103,14 @@ class Massflow(grainjet.Case):
         positions = [[rng.uniform(0.005, 0.015), rng.uniform(0.005, 0.015), rng.uniform(0.03, 0.0395)]
                      for _ in range(n)]
         velocities = [[0, 0, rng.uniform(0.8, 2.0)] for _ in positions]
-        for ranks, cut in ((0, None), (2, "(2 1 1)")):
-            folder = self.folder/f"lost{ranks}"
-            box.write(folder, steps=60, delta_t=DT, walls=True, decomposition=cut or "(1 1 2)",
+        for ranks, cut, sub_steps in ((0, None, 1), (2, "(2 1 1)", 1), (2, "(2 1 1)", 4)):
+            folder = self.folder/f"lost{ranks}x{sub_steps}"
+            box.write(folder, steps=60//sub_steps, delta_t=DT*sub_steps, walls=True, decomposition=cut or "(1 1 2)",
                       functions=SAMPLING.replace("planes (", f"planes ({plane/DIAMETER!r} "))
             box.script(folder, grains=box.grains(positions, velocities, diameter=GRAIN), dt=DEM_DT,
                        boundary="f f f", fixes="neigh_modify delay 0 every 1 check no",
                        end="thermo_modify lost ignore\n" + scripts.dump(600, "end.dump", "id z"))
-            box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay")
+            box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay", subSteps=sub_steps)
             self.foam("blockMesh", folder)
             if ranks:
                 self.foam("decomposePar", folder)

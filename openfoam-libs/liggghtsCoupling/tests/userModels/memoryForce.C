@@ -42,7 +42,7 @@ void Foam::memoryForce::add(grainBatch& grains) const
     const lane& nu = *grains.fluid(nu_);
     lane* remembered = grains.state(remembered_);
 
-    const scalar dt = fluid_.mesh().time().deltaTValue();
+    const scalar dt = fluid_.interval();
     const scalar kept = exp(-dt/(2*time_));
     const scalar kernel = sqrt(constant::mathematical::e/time_);
 
