@@ -60,6 +60,11 @@ def removed(balance):
     return balance["leftBox"] + balance["deleted"]
 
 
+def dem_step(p):
+    """The DEM step [s]."""
+    return p["fluidStep"]/p.get("subSteps", 1)/p["couplingInterval"]
+
+
 def beyond(grains, balance, plane, diameter):
     """Grains that have passed a plane by the time of a file of grains: behind it or removed."""
     time, position, _ = grains
@@ -125,7 +130,7 @@ class Results:
         inside = len(end[1])
         # LIGGGHTS still holds grains that left its box after the latest insertion, when it last
         # looked; and a fast grain sinks into a soft plate: its centre may leave the mesh for a while
-        gone = 1 + math.ceil(2*expected*p["insertionInterval"]/p["couplingInterval"]*p["fluidStep"]
+        gone = 1 + math.ceil(2*expected*p["insertionInterval"]*dem_step(p)
                              / (p["endTime"] - p["sampleStart"]))
         if plate:
             gone += int(balance["outsideMesh"].max())
@@ -136,7 +141,7 @@ class Results:
 
         # Each insertion rounds its number of grains up or down at random: deviation 1/2 at most
         stated = particles_per_s/p["cg"]**3*p["endTime"]
-        insertions = p["endTime"]/p["fluidStep"]*p["couplingInterval"]/p["insertionInterval"]
+        insertions = p["endTime"]/dem_step(p)/p["insertionInterval"]
         tolerance = 4*0.5*math.sqrt(insertions)
         checks.append((abs(last["inserted"] - stated) < tolerance,
                        f"inserted {last['inserted']:.0f} of {stated:.0f} grains stated (+- {tolerance:.0f})"))

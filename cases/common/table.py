@@ -202,6 +202,7 @@ def derive(s):
     else:
         s["couplingInterval"] = 10
         s["fluidStep"] = float(f"{10*s['demStep']:.10g}")
+    s["subSteps"] = 1
     s["demStep"] = s["fluidStep"]/s["couplingInterval"]
     s["percentRayleigh"] = 100*s["demStep"]/whole
 

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""quickJet with fluid steps of several sub-steps, see README.md.
+
+    run.py prepare WORK                   mesh and steady flow without grains
+    run.py run WORK SUBSTEPS OUTER        the coupled run: the length of a sub-step stays that of the fluid step of quickJet;
+                                          OUTER: outer correctors
+    run.py table WORK                     what the finished runs have, as the table of the README
+
+Built Grainjet, its environment sourced. A run takes the ranks of quickJet's parameters, or those of --ranks."""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT/"cases/common"))
+
+import check                # noqa: E402
+from grainjet import dictionaries, tables  # noqa: E402
+
+# fluid step of quickJet without sub-steps, s
+STEP = 5e-5
+
+
+def stage(folder, name, log):
+    """A stage of cases/common/job.sh in a folder."""
+    text = f'set -eu -o pipefail; root={ROOT}; . "$root/cases/common/job.sh"; {name}'
+    with log.open("w") as out:
+        subprocess.run(["bash", "-c", text], cwd=folder, check=True, stdout=out, stderr=subprocess.STDOUT)
+
+
+def prepare(work, ranks):
+    folder = work/"start"
+    shutil.copytree(ROOT/"cases/quickJet", folder)
+    if ranks:
+        dictionaries.put(folder/"system/parameters", ranks=str(ranks))
+    stage(folder, "mesh_stage; steady_stage", work/"start.log")
+
+
+def run(work, n, outer):
+    folder = work/f"n{n}o{outer}"
+    shutil.copytree(work/"start", folder, symlinks=True, ignore=shutil.ignore_patterns("processor*"))
+    dictionaries.put(folder/"system/parameters", fluidStep=f"{n*STEP:.10g}", subSteps=str(n), couplingInterval="10")
+    dictionaries.put(folder/"system/fvSolution", nOuterCorrectors=str(outer))
+    subprocess.run(["./particleInput"], cwd=folder, check=True)
+    stage(folder, "coupled_stage", work/f"{folder.name}.log")
+
+
+def row(folder):
+    """A line of the table."""
+    p = check.parameters(folder)
+    log = (folder/"log.pimpleFoam").read_text()
+    planes = check.Results(folder).planes
+    balance = tables.history(folder/"postProcessing/liggghtsCoupling", "balance")
+    solves = [int(count) for count in re.findall(r"Solving for p,.*No Iterations (\d+)", log)]
+    courant = [float(value) for value in re.findall(r"Courant Number mean: \S+ max: (\S+)", log)]
+    clock = float(re.findall(r"ClockTime = (\S+) s", log)[-1])
+    sampled = balance["Time"] > p["sampleStart"]
+    slip = balance["meanSlip"][sampled].mean()
+    change = balance["fluidChange"][sampled].mean()/slip if "fluidChange" in balance else numpy.nan
+    _, put = check.inserted(p)
+    n, outer = re.fullmatch(r"n(\d+)o(\d+)", folder.name).groups()
+    means = " ".join(f"{plane.mean:.2f} +- {plane.error:.2f}" for plane in planes)
+    rms = " ".join(f"{plane.rms:.2f}" for plane in planes)
+    flows = " ".join(f"{plane.particles_per_s/put:.3f}" for plane in planes)
+    return [n, f"{max(courant):.1f}", outer, str(len(solves)), str(sum(solves)), means, rms, flows, f"{slip:.3f}", f"{100*change:.2f} %",
+            f"{balance['imbalance'].max():.0e}", f"{balance['secondsFluid'].sum():.0f}", f"{balance['secondsDEM'].sum():.0f}",
+            f"{balance['secondsCoupling'].sum():.0f}", f"{clock:.0f}"]
+
+
+def table(work):
+    head = ["subSteps", "Courant, largest", "outer correctors", "pressure solves", "iterations",
+            "mean on the axis at 0.1, 10, 20 D, m/s", "rms, m/s", "number through the plane/inserted", "mean slip, m/s",
+            "change of the fluid/slip", "imbalance", "fluid, s", "DEM, s", "coupling, s", "clock, s"]
+    print("| " + " | ".join(head) + " |\n|" + "---|"*len(head))
+    folders = [path.parent for path in work.glob("n*o*/log.pimpleFoam") if "\nEnd" in path.read_text()]
+    for folder in sorted(folders, key=lambda path: [int(k) for k in re.findall(r"\d+", path.name)]):
+        print("| " + " | ".join(row(folder)) + " |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("prepare", "run", "table"))
+    parser.add_argument("work", type=pathlib.Path)
+    parser.add_argument("numbers", type=int, nargs="*")
+    parser.add_argument("--ranks", type=int, default=0)
+    args = parser.parse_args()
+    if args.what == "prepare":
+        prepare(args.work, args.ranks)
+    elif args.what == "run":
+        run(args.work, *args.numbers)
+    else:
+        table(args.work)
+
+
+if __name__ == "__main__":
+    main()
