@@ -161,7 +161,7 @@ void Foam::probedMesh::points(const label n, const fileName& file)
     os << found;
 
     // OpenFOAM's interpolationCellPoint from values at points over those of a field that is one
-    // everywhere. From v2006 on these are one; before, they are not beside cyclicAMI
+    // everywhere. From v2012 on these are one; before, they are not beside cyclicAMI
     const volPointInterpolation& toPoints = volPointInterpolation::New(mesh_);
     const volScalarField one
     (
