@@ -148,7 +148,7 @@ def write(folder, solver):
         write_field(folder, "k" + group, "0 2 -2", 0.00325, "type kqRWallFunction; value uniform 0.00325;")
         write_field(folder, "epsilon" + group, "0 2 -3", 0.000765, "type epsilonWallFunction; value uniform 0.000765;")
         write_field(folder, "nut" + group, "0 2 -1", 0, "type nutkWallFunction; value uniform 0;")
-        write_field(folder, "alphat" + group, "1 -1 -1", 0, "type compressible::alphatWallFunction; Prt 0.85; value uniform 0;")
+        write_field(folder, "alphat" + group, "1 -1 -1", 0, "type calculated; value uniform 0;")
         if "T" in scalars:
             write_field(folder, "T" + group, "[0 0 0 1 0 0 0]", 300)
     for name in ("p", "p_rgh"):

@@ -105,6 +105,18 @@ void Foam::pointValues::makeWeights()
     parts_.assign(parts.begin(), parts.end());
     weights_.assign(weights.begin(), weights.end());
 
+    // What these make of a field that is one everywhere
+    forAll(points, pointi)
+    {
+        sum[pointi] = 0;
+        for (label i = firstPart_[pointi]; i < firstPart_[pointi + 1]; ++i)
+        {
+            sum[pointi] += weights_[i];
+        }
+    }
+    coupled_.sum(sum.data(), 1);
+    unmatched_.normaliseBy(sum.data());
+
     if (constrained_)
     {
         boundaryPoints_ = boundary.meshPoints();

@@ -83,6 +83,54 @@ Foam::unmatchedPoints::unmatchedPoints(const polyMesh& mesh)
 
 void Foam::unmatchedPoints::add(scalar* values, const label width) const
 {
+    addAcross(values, width);
+    forAll(points_, i)
+    {
+        scalar* row = values + width*points_[i];
+        for (label lane = 0; lane < width; ++lane)
+        {
+            row[lane] *= factors_[i];
+        }
+    }
+}
+
+
+void Foam::unmatchedPoints::normaliseBy(const scalar* ones)
+{
+    std::vector<scalar> values(ones, ones + nPoints_);
+    addAcross(values.data(), 1);
+    std::vector<scalar> onSides(nPoints_, 0);
+    for (const side& s : sides_)
+    {
+        for (const face& f : static_cast<const polyPatch&>(*s.patch))
+        {
+            for (const label pointi : f)
+            {
+                onSides[pointi] = 1;
+            }
+        }
+    }
+
+    // A rank that has a point but no face of its side needs the factor, too
+    cut_.sum(onSides.data(), 1);
+
+    DynamicList<label> points;
+    DynamicList<scalar> factors;
+    for (label pointi = 0; pointi < nPoints_; ++pointi)
+    {
+        if (onSides[pointi] > 0)
+        {
+            points.append(pointi);
+            factors.append(1/values[pointi]);
+        }
+    }
+    points_.transfer(points);
+    factors_.transfer(factors);
+}
+
+
+void Foam::unmatchedPoints::addAcross(scalar* values, const label width) const
+{
     for (label pair = 0; pair < sides_.size(); pair += 2)
     {
         std::vector<scalar> added(width*nPoints_, 0);

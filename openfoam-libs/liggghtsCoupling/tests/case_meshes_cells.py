@@ -75,7 +75,8 @@ class MeshesCells(meshes.EachMesh, grainjet.Case):
         the cell that findCell names for its point: 1e-4 of the volume is one part in 10,000 on a face.
 
         cellPoint is OpenFOAM's interpolationCellPoint to 1e-11 of a field of size 1, but where several
-        tetrahedra of the cell hold the point.
+        tetrahedra of the cell hold the point. Beside a cyclicAMI it is that of v2012 and later: values at
+        points are divided by those of a field that is one everywhere.
 
         On ranks each point has one rank, and cell and values of the serial run: values to 1e-11."""
         folder = self.folder / name

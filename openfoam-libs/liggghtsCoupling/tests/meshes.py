@@ -34,7 +34,7 @@ addLayersControls
     relativeSizes true; layers {{ "{surface}.*" {{ nSurfaceLayers 3; }} }}
     expansionRatio 1.2; finalLayerThickness 0.4; minThickness 0.05; nGrow 0; featureAngle 130;
     nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
-    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90;
+    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; minMedialAxisAngle 90;
     nBufferCellsNoExtrude 0; nLayerIter 50;
 }}
 meshQualityControls

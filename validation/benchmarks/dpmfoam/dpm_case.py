@@ -28,6 +28,7 @@ PARCEL_FIELDS = {
     "collisionRecordsWallAccessed": ("labelFieldField", "0()"),
     "collisionRecordsWallPRel": ("vectorFieldField", "0()"),
     "collisionRecordsWallData": ("vectorFieldField", "0()"),
+    "UCorrect": ("vectorField", "(0 0 0)"),      # asked for by later releases than v1912
 }
 
 

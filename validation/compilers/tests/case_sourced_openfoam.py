@@ -88,7 +88,8 @@ class SourcedOpenFOAM(grainjet.Case):
         self.assertRefused(str(self.library), "another processor (no library)")
 
     def test_no_wmake(self):
-        self.assertRefused("wmake is not in PATH", PATH=grainjet.ENV["PATH"])
+        self.assertRefused("wmake is not in PATH", PATH=os.pathsep.join(
+            folder for folder in grainjet.ENV["PATH"].split(os.pathsep) if not os.path.exists(os.path.join(folder, "wmake"))))
 
     def test_folder_of_libraries(self):
         """Made if it is missing; one that cannot be written to, or made, is refused."""

@@ -9,7 +9,8 @@
 #include "dividedVoidFraction.H"
 #include "IFstream.H"
 #include "OFstream.H"
-#include "interpolationCellPoint.H"
+#include "cellPointWeight.H"
+#include "volPointInterpolation.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -159,8 +160,25 @@ void Foam::probedMesh::points(const label n, const fileName& file)
     OFstream os(file, IOstream::BINARY);
     os << found;
 
-    const interpolationCellPoint<scalar> stockP(p_);
-    const interpolationCellPoint<vector> stockU(U_);
+    // OpenFOAM's interpolationCellPoint from values at points over those of a field that is one
+    // everywhere. From v2012 on these are one; before, they are not beside cyclicAMI
+    const volPointInterpolation& toPoints = volPointInterpolation::New(mesh_);
+    const volScalarField one
+    (
+        IOobject("one", mesh_.time().timeName(), mesh_), mesh_, dimensionedScalar(dimless, 1)
+    );
+    const scalarField ones(toPoints.interpolate(one)().primitiveField());
+    const scalarField pAtPoints(toPoints.interpolate(p_)().primitiveField()/ones);
+    const vectorField UAtPoints(toPoints.interpolate(U_)().primitiveField()/ones);
+    const auto stockValue = [](const auto& field, const auto& atPoints, const cellPointWeight& weight)
+    {
+        auto value = weight.weights()[0]*field[weight.cell()];
+        forAll(weight.faceVertices(), i)
+        {
+            value += weight.weights()[i + 1]*atPoints[weight.faceVertices()[i]];
+        }
+        return value;
+    };
     label inside = 0, ambiguous = 0, wrong = 0, lost = 0, byWalk = 0;
     label different = 0, overlapping = 0;
     scalar worst = 0;
@@ -185,8 +203,9 @@ void Foam::probedMesh::points(const label n, const fileName& file)
             ++(holds(celli, p) ? ambiguous : wrong);
         }
 
-        scalar error = mag(values[i][0] - stockP.interpolate(p, celli));
-        const vector U(stockU.interpolate(p, celli));
+        const cellPointWeight weight(mesh_, p, celli);
+        scalar error = mag(values[i][0] - stockValue(p_, pAtPoints, weight));
+        const vector U(stockValue(U_, UAtPoints, weight));
         for (direction k = 0; k < 3; ++k)
         {
             error = max(error, mag(values[i][1 + k] - U[k]));
