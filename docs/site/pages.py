@@ -54,6 +54,7 @@ STYLE = """\
 .md-grid { max-width: 76rem; }
 .md-typeset table:not([class]) { font-size: .68rem; }
 .md-typeset table:not([class]) th, .md-typeset table:not([class]) td { padding: .4em .7em; min-width: 3rem; }
+.md-typeset td code { word-break: normal; overflow-wrap: normal; }
 .md-typeset img { max-height: 40rem; }
 """
 FENCE = re.compile(r"(?ms)(^[ \t]*```.*?^[ \t]*```[ \t]*$)")
