@@ -20,7 +20,7 @@ NAVIGATION = [
                            "docs/liggghtsCoupling.md", "docs/fix_fluid_force.md", "docs/fix_fluid_heat.md",
                            "docs/fix_plate_stats.md", "docs/fix_surface_stats.md", "docs/fix_collision_stats.md",
                            "docs/fix_wall_roughness.md", "docs/jetKEpsilon.md", "docs/particleSamplingPlanes.md"]),
-    ("Choose", ["docs/choosing.md"]),
+    ("Choose", ["docs/choosing.md", "docs/comparison.md"]),
     ("Models", ["docs/what_grains_feel.md", "docs/errata.md"]),
     ("Cases", ["cases/README.md", "docs/fluidBed.md", "docs/waterJet.md", "docs/sandblast.md", "docs/elbow.md",
                "docs/coldSpray.md", "docs/jetMill.md"]),
