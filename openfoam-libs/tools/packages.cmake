@@ -43,7 +43,8 @@ function(grainjet_install component binaries data pages)
     REGEX "/(tests|__pycache__)$" EXCLUDE)
   install(DIRECTORY validation/testing/grainjet DESTINATION ${data}/validation/testing ${part}
     REGEX "/(tests|__pycache__)$" EXCLUDE)
-  install(DIRECTORY docs DESTINATION ${pages} ${part})
+  install(DIRECTORY docs DESTINATION ${pages} ${part} USE_SOURCE_PERMISSIONS
+    REGEX "/(tests|site|build-site|__pycache__)$" EXCLUDE)
   install(FILES README.md DESTINATION ${pages} ${part})
 endfunction()
 

@@ -16,6 +16,7 @@ fields          meshes and clouds of grains, read by VTK
 coupled_box     a small coupled case
 impacts         impacts of single grains
 bad_input       inputs spoilt in every way
+messages        errors and warnings, read from the sources
 pages           the blocks and tables of the pages in docs/
 releases        what differs between the releases of OpenFOAM
 

@@ -1,0 +1,50 @@
+# Grainjet: coarse-grained CFD-DEM for particle-laden jets
+# Copyright (C) 2026 The Grainjet developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""docs/build-site makes the web pages without a warning, and they need no connection."""
+
+import pathlib
+import re
+import shutil
+import sys
+import unittest
+
+import grainjet
+
+
+class Site(grainjet.Case):
+
+    def test_web_pages(self):
+        site = self.folder / "site"
+        result = grainjet.run([str(grainjet.ROOT / "docs/build-site"), str(site)], self.folder)
+        self.assertEqual(result.code, 0, result)
+        self.assertNotIn("WARNING", result.output)
+        pages = list(site.rglob("*.html"))
+        self.assertLessEqual({site / "index.html", site / "docs/fix_hertz_cg.html", site / "cases/index.html",
+                              site / "validation/index.html"}, set(pages))
+        self.assertTrue((site / "search/search_index.json").is_file())
+        for page in pages:
+            text = page.read_text()
+            fetched = re.findall(r'<(?:script|link|img)[^>]*(?:src|href)="(https?:[^"]*)"', text)
+            self.assertFalse([address for address in fetched if "canonical" not in address], page.name)
+            if page.name == "404.html":
+                continue
+            for target, fragment in re.findall(r'<a [^>]*href="([^":#]*)#([^"]+)"', text):
+                other = (page.parent / target).resolve() if target else page
+                self.assertIn(f'id="{fragment}"', other.read_text(), f"{page.name}: {target}#{fragment}")
+
+    def test_a_folder_with_other_files_is_kept(self):
+        (self.folder / "site").mkdir()
+        (self.folder / "site/mine").write_text("mine")
+        result = grainjet.run([str(grainjet.ROOT / "docs/build-site"), str(self.folder / "site")], self.folder)
+        self.assertNotEqual(result.code, 0)
+        self.assertIn("holds other files", result.output)
+        self.assertEqual((self.folder / "site/mine").read_text(), "mine")
+
+
+if __name__ == "__main__":
+    theme = pathlib.Path("/usr/share/mkdocs/themes/material")
+    if shutil.which("mkdocs") is None or not theme.is_dir():
+        print("skipped: the web pages need the packages mkdocs and mkdocs-material")
+        sys.exit(77)
+    unittest.main()
