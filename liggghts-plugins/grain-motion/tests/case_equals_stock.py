@@ -9,6 +9,7 @@ another order. So free grains have the same digits, and others differ by round-o
 of the largest number after 370 steps.
 """
 # processors: 2
+# label: long
 
 import unittest
 

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fix grain/motion: whatever it cannot do is one clear error that names the fix, before the first step."""
 # processors: 2
+# label: long
 
 import unittest
 
