@@ -59,7 +59,7 @@ progress()
 absent()
 {
     local name
-    for name in liggghtsloader hertzcgplugin collisionstatsplugin fluidforceplugin fluidheatplugin platestatsplugin surfacestatsplugin wallroughnessplugin
+    for name in liggghtsloader hertzcgplugin collisionstatsplugin fluidforceplugin fluidheatplugin grainmotionplugin platestatsplugin surfacestatsplugin wallroughnessplugin
     do
         [ -f "$root/lib/$name.so" ] || { echo "$root/lib/$name.so"; return; }
     done

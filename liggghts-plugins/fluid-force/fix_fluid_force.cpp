@@ -38,7 +38,7 @@ FixFluidForce::FixFluidForce(LAMMPS *lmp, int narg, char **arg) :
   addedMassRequested_(false), workRequested_(false), nonReactingRead_(false), torqueRead_(false),
   addedMassRead_(false), workRead_(false),
   removed_(lmp), running_(lmp), held_(lmp),
-  freshSetup_(false), sumStep_(-1), sums_()
+  freshSetup_(false), sumStep_(-1), sums_(), motion_(), moved_(false), bookedAhead_(false)
 {
   parse(narg, arg);
 
@@ -152,6 +152,7 @@ void FixFluidForce::init()
 
   if (uniform_) uniform_->init();
   held_.init();
+  find_motion();
   check_other_fixes();
   if (!coupled_) return;
   check_box();
@@ -204,6 +205,21 @@ void FixFluidForce::check_other_fixes()
 }
 
 /* ----------------------------------------------------------------------
+   does a fix grain/motion take over the loop?
+------------------------------------------------------------------------- */
+
+void FixFluidForce::find_motion()
+{
+  moved_ = false;
+  for (int ifix = 0; ifix < modify->nfix; ifix++) {
+    int dim;
+    if (strcmp(modify->fix[ifix]->style, "grain/motion") != 0) continue;
+    const char *named = static_cast<const char *>(modify->fix[ifix]->extract("grain_motion_fluid", dim));
+    moved_ |= named && strcmp(named, id) == 0;
+  }
+}
+
+/* ----------------------------------------------------------------------
    a new grain starts where it is inserted
 ------------------------------------------------------------------------- */
 
@@ -221,6 +237,7 @@ void FixFluidForce::set_arrays(int i)
 
 void FixFluidForce::setup(int)
 {
+  bookedAhead_ = false;
   held_.reorder();
   held_.update(update->ntimestep + 1);
   if (running_.resumes()) {
@@ -273,6 +290,7 @@ void FixFluidForce::setup_pre_force(int)
 
 void FixFluidForce::pre_final_integrate()
 {
+  if (moved_) return;    // it calls move()
   held_.update(update->ntimestep);
   apply(update->dt, false, true);
 }
@@ -287,10 +305,10 @@ void FixFluidForce::setup_pre_exchange()
 }
 
 /* ----------------------------------------------------------------------
-   the grains have had the first half kick of this step, which is not booked yet
+   the grains have had the first half kick of this step, which is booked already only if steps are joined
 ------------------------------------------------------------------------- */
 
 void FixFluidForce::pre_exchange()
 {
-  collect_removed(true, 0.5 * update->dt);
+  collect_removed(true, bookedAhead_ ? 0.0 : 0.5 * update->dt);
 }

@@ -15,6 +15,7 @@ FixStyle(fluid/force,FixFluidForce)
 
 #include "fix.h"
 #include "fluid_force_exchange.h"
+#include "grain-motion/grain_step.h"
 #include "grain_properties.h"
 #include "held_grains.h"
 #include "removed_grains.h"
@@ -100,6 +101,7 @@ class FixFluidForce : public Fix {
   // "fluid_force_exchange": FluidForceExchange *, or NULL if not in style coupled
   // "fluid_force_version": const char *, the version of Grainjet that layout belongs to
   // "fluid_force_uniform": const UniformFluid *, or NULL if not in style uniform
+  // "fluid_force_motion": FluidMotion *, for fix grain/motion
   void *extract(const char *, int &) override;
 
  private:
@@ -150,9 +152,38 @@ class FixFluidForce : public Fix {
   // applies them; remove: take the previous ones off first; book: add the impulse of the half
   // kick before and the half kick to come
   void apply(double kick, bool remove, bool book);
-  bool push(double kick, bool remove, bool book);
-  template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
-  bool push(double kick, bool remove, bool book);
+
+  // What a loop books as impulse. Steps that fix grain/motion has joined have the first half kick of the
+  // next step booked with the second one of this step, by the same force.
+  struct Booking {
+    bool step;      // anything: not in the set-up
+    bool remove;    // take the previous forces off first
+    bool before;    // half kick before, by the forces of the former step
+    bool after;     // first half kick of the next step. Then nobody sees the forces of this step: not kept
+  };
+  template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS> struct Kind {};
+  template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS> struct Push;    // force on one grain
+  template<bool U, bool N, bool A> bool push(double kick, const Booking &);
+  template<bool U, bool N, bool A, bool JOIN> bool push_and_move(const GrainStep &, const Booking &);
+  template<bool U, bool N, bool A> bool push_of(Kind<U, N, A>, double kick, const Booking &book)
+  {
+    return push<U, N, A>(kick, book);
+  }
+  template<bool U, bool N, bool A> bool move_of(Kind<U, N, A>, const GrainStep &grains, const Booking &book)
+  {
+    return grains.join ? push_and_move<U, N, A, true>(grains, book) : push_and_move<U, N, A, false>(grains, book);
+  }
+  template<typename Call> bool choose(const Call &);    // call(Kind of what this run has)
+
+  // ---- a fix grain/motion that names this fix calls it instead of LIGGGHTS
+
+  FluidMotion motion_;
+  bool moved_;           // there is one in this run
+  bool bookedAhead_;     // impulse has the half kick to come
+  void find_motion();
+  bool joins() const;
+  void move(const GrainStep &);
+
   template<bool UNIFORM> bool turn(double kick, bool remove);
 
   // Work of the half kick before, by the forces before push(), and of the half kick to come, by

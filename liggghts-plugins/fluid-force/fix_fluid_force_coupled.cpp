@@ -176,6 +176,12 @@ void *FixFluidForce::extract(const char *what, int &dim)
   dim = 0;
   if (strcmp(what, "fluid_force_version") == 0) return const_cast<char *>(GRAINJET_VERSION);
   if (uniform_ && strcmp(what, "fluid_force_uniform") == 0) return &uniformFluid_;
+  if (strcmp(what, "fluid_force_motion") == 0) {
+    motion_.fix = this;
+    motion_.joins = [](void *fix) { return static_cast<FixFluidForce *>(fix)->joins(); };
+    motion_.move = [](void *fix, const GrainStep &grains) { static_cast<FixFluidForce *>(fix)->move(grains); };
+    return &motion_;
+  }
   if (!coupled_ || strcmp(what, "fluid_force_exchange") != 0) return NULL;
   exchangeOpen_ = true;
   refresh_exchange();

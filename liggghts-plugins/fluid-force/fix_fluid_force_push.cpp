@@ -8,6 +8,7 @@
 
 #include "fix_fluid_force.h"
 
+#include "grain-motion/grain_step.h"
 #include "physics/drag/exponential_drag.h"
 
 #include "atom.h"
@@ -32,54 +33,76 @@ using grainjet::drag::ExponentialDrag;
 ------------------------------------------------------------------------- */
 
 template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
-bool FixFluidForce::push(double kick, bool remove, bool book)
-{
-  const int nlocal = atom->nlocal;
-  const double half = 0.5 * update->dt;
+struct FixFluidForce::Push {
+
+  const Booking book;
+  const double kick, half;
+  const UniformFlow *uniform;
+  const HeldGrains &held;
   double buoyancy[3];
-  if (UNIFORM) uniform_->buoyancy(buoyancy);
 
   // The loop is bound by memory. LIGGGHTS' arrays of vectors are one block each, so their
   // rows need not be looked up.
-  const double *velocities = atom->v[0];
-  const double *fluids = UNIFORM ? NULL : fluidVelocity_->array_atom[0];
-  const double *explicits = UNIFORM ? NULL : explicitForce_->array_atom[0];
-  double *coefficient = dragCoefficient_->vector_atom;
-  const double *nonReactingCoefficient = NON_REACTING ? nonReactingCoefficient_->vector_atom : NULL;
-  const double *addedMasses = ADDED_MASS && !UNIFORM ? addedMass_->vector_atom : NULL;
-  bool wrong = false;
+  const double *velocities, *fluids, *explicits, *rmass, *radius;
+  const double *nonReactingCoefficient, *nonReactingForces, *addedMasses;
+  double *forces, *coefficient, *allApplied, *impulses, *nonReactingAll, *nonReactingImpulses;
 
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  Push(const FixFluidForce &fix, double k, const Booking &b) :
+    book(b), kick(k), half(0.5 * fix.update->dt), uniform(fix.uniform_.get()), held(fix.held_)
+  {
+    const Atom *atom = fix.atom;
+    if (UNIFORM) uniform->buoyancy(buoyancy);
+    velocities = atom->v[0];
+    forces = atom->f[0];
+    rmass = atom->rmass;
+    radius = atom->radius;
+    fluids = UNIFORM ? NULL : fix.fluidVelocity_->array_atom[0];
+    explicits = UNIFORM ? NULL : fix.explicitForce_->array_atom[0];
+    coefficient = fix.dragCoefficient_->vector_atom;
+    allApplied = fix.fluidForce_->array_atom[0];
+    impulses = fix.impulse_->array_atom[0];
+    nonReactingCoefficient = NON_REACTING ? fix.nonReactingCoefficient_->vector_atom : NULL;
+    nonReactingForces = NON_REACTING ? fix.nonReactingForce_->array_atom[0] : NULL;
+    nonReactingAll = NON_REACTING ? fix.nonReactingApplied_->array_atom[0] : NULL;
+    nonReactingImpulses = NON_REACTING ? fix.nonReactingImpulse_->array_atom[0] : NULL;
+    addedMasses = ADDED_MASS && !UNIFORM ? fix.addedMass_->vector_atom : NULL;
+  }
+
+  // nothing for a grain that fix insert/stream holds
+  void none(int i) const
+  {
+    double *applied = allApplied + 3 * i;
+    applied[0] = applied[1] = applied[2] = 0.0;
+    if (!NON_REACTING) return;
+    double *without = nonReactingAll + 3 * i;
+    without[0] = without[1] = without[2] = 0.0;
+  }
+
+  // f: the other forces on grain i, to which the fluid's is added. Nothing is stored before all is loaded that
+  // is needed: the compiler has to take every store for a change of what it loads next.
+  bool operator()(int i, double *f) const
+  {
     const int first = 3 * i;
-    double *f = atom->f[0] + first;
-    double *applied = fluidForce_->array_atom[0] + first;
-    double *impulse = impulse_->array_atom[0] + first;
-    double *nonReactingApplied = NON_REACTING ? nonReactingApplied_->array_atom[0] + first : NULL;
-    double *nonReactingImpulse = NON_REACTING ? nonReactingImpulse_->array_atom[0] + first : NULL;
-    if (held_.holds(i)) {
-      applied[0] = applied[1] = applied[2] = 0.0;
-      if (NON_REACTING) nonReactingApplied[0] = nonReactingApplied[1] = nonReactingApplied[2] = 0.0;
-      continue;
-    }
+    double *applied = allApplied + first;
+    double *nonReactingApplied = NON_REACTING ? nonReactingAll + first : NULL;
     const double *v = velocities + first;
-    const double *fluid = UNIFORM ? uniform_->velocity() : fluids + first;
-    const double *nonReacting = NON_REACTING ? nonReactingForce_->array_atom[0] + first : NULL;
+    const double *fluid = UNIFORM ? uniform->velocity() : fluids + first;
+    const double *nonReacting = NON_REACTING ? nonReactingForces + first : NULL;
 
-    const double volume = UNIFORM ? UniformFlow::volume(atom->radius[i]) : 0.0;
-    const double mass = atom->rmass[i];
-    const double addedMass = !ADDED_MASS ? 0.0 : UNIFORM ? uniform_->addedMass(volume) : addedMasses[i];
+    const double volume = UNIFORM ? UniformFlow::volume(radius[i]) : 0.0;
+    const double mass = rmass[i];
+    const double addedMass = !ADDED_MASS ? 0.0 : UNIFORM ? uniform->addedMass(volume) : addedMasses[i];
     const double inertia = ADDED_MASS ? mass + addedMass : mass;
     const double own = mass / inertia, takenUp = addedMass / inertia;
     double given[3], other[3];
     for (int dim = 0; dim < 3; dim++) {
-      if (remove) f[dim] -= applied[dim];
+      if (book.remove) f[dim] -= applied[dim];
       given[dim] = UNIFORM ? buoyancy[dim] * volume : explicits[first + dim];
       other[dim] = f[dim] + (NON_REACTING ? given[dim] + nonReacting[dim] : given[dim]);
     }
-    if (UNIFORM && uniform_->magnus()) {
+    if (UNIFORM && uniform->magnus()) {
       double lift[3];
-      uniform_->lift(i, other, kick, book ? coefficient[i] : 0.0, inertia, lift);
+      uniform->lift(i, other, kick, book.step ? coefficient[i] : 0.0, inertia, lift);
       for (int dim = 0; dim < 3; dim++) {
         given[dim] += lift[dim];
         other[dim] += lift[dim];
@@ -87,41 +110,102 @@ bool FixFluidForce::push(double kick, bool remove, bool book)
     }
     if (UNIFORM)
       coefficient[i] =
-        uniform_->dragCoefficient(i, other, kick, book ? coefficient[i] : 0.0, inertia);
+        uniform->dragCoefficient(i, other, kick, book.step ? coefficient[i] : 0.0, inertia);
 
-    if (!NON_REACTING) {
-      const ExponentialDrag drag(coefficient[i], kick, inertia);
-      for (int dim = 0; dim < 3; dim++) {
-        double force =
-          given[dim] + drag.slip * (fluid[dim] - v[dim]) - drag.other * other[dim];
-        if (ADDED_MASS) force = own * force - takenUp * f[dim];
-        f[dim] += force;
-        wrong |= !(std::fabs(force) <= LARGEST);    // also if it is no number
-        if (book) impulse[dim] += half * (applied[dim] + force);
-        applied[dim] = force;
-      }
-      continue;
-    }
-
-    // One drag, shared out by the coefficients
-    const double c = nonReactingCoefficient[i], b = coefficient[i] + c;
+    // One drag, shared out by the coefficients of the two kinds of force
+    const double c = NON_REACTING ? nonReactingCoefficient[i] : 0.0, b = coefficient[i] + c;
     const ExponentialDrag drag(b, kick, inertia);
-    const double share = c > 0.0 ? c / b : 0.0;
-    const double slip = (1.0 - share) * drag.slip, taken = (1.0 - share) * drag.other;
+    const double share = NON_REACTING && c > 0.0 ? c / b : 0.0;
+    const double slip = NON_REACTING ? (1.0 - share) * drag.slip : drag.slip;
+    const double taken = NON_REACTING ? (1.0 - share) * drag.other : drag.other;
     const double slipWithout = share * drag.slip, takenWithout = share * drag.other;
+
+    bool wrong = false;
+    double reacting[3], alone[3], all[3];
     for (int dim = 0; dim < 3; dim++) {
       const double speed = fluid[dim] - v[dim];
       double force = given[dim] + slip * speed - taken * other[dim];
-      const double without = nonReacting[dim] + slipWithout * speed - takenWithout * other[dim];
-      if (ADDED_MASS) force = own * force - takenUp * (without + f[dim]);
-      wrong |= !(std::fabs(force) + std::fabs(without) <= LARGEST);
-      if (book) {    // the forces of the former step, too, each kind its own
-        impulse[dim] += half * (applied[dim] - nonReactingApplied[dim] + force);
-        nonReactingImpulse[dim] += half * (nonReactingApplied[dim] + without);
-      }
-      nonReactingApplied[dim] = without;
-      applied[dim] = force + without;
-      f[dim] += force + without;
+      const double without = NON_REACTING ? nonReacting[dim] + slipWithout * speed - takenWithout * other[dim] : 0.0;
+      if (ADDED_MASS) force = own * force - takenUp * (NON_REACTING ? without + f[dim] : f[dim]);
+      reacting[dim] = force;
+      alone[dim] = without;
+      all[dim] = NON_REACTING ? force + without : force;
+      // also if it is no number
+      wrong |= !((NON_REACTING ? std::fabs(force) + std::fabs(without) : std::fabs(force)) <= LARGEST);
+    }
+
+    if (book.step) {    // the forces of the former step, too, each kind its own
+      add(impulses + first, applied, nonReactingApplied, reacting);
+      if (NON_REACTING) add(nonReactingImpulses + first, nonReactingApplied, NULL, alone);
+    }
+    for (int dim = 0; dim < 3; dim++) f[dim] += all[dim];
+    if (book.after && !wrong) return false;
+    for (int dim = 0; dim < 3; dim++) {
+      applied[dim] = all[dim];
+      if (NON_REACTING) nonReactingApplied[dim] = alone[dim];
+    }
+    return wrong;
+  }
+
+  // former: forces of the former step, less those in `less`
+  void add(double *impulse, const double *former, const double *less, const double *force) const
+  {
+    double sum[3];
+    if (book.before)
+      for (int dim = 0; dim < 3; dim++)
+        sum[dim] = (less ? former[dim] - less[dim] : former[dim]) + (book.after ? 2.0 * force[dim] : force[dim]);
+    else
+      for (int dim = 0; dim < 3; dim++) sum[dim] = book.after ? 2.0 * force[dim] : force[dim];
+    for (int dim = 0; dim < 3; dim++) sum[dim] = impulse[dim] + half * sum[dim];
+    for (int dim = 0; dim < 3; dim++) impulse[dim] = sum[dim];
+  }
+};
+
+/* ---------------------------------------------------------------------- */
+
+template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
+bool FixFluidForce::push(double kick, const Booking &book)
+{
+  const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, kick, book);
+  const int nlocal = atom->nlocal;
+  bool wrong = false;
+  for (int i = 0; i < nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (held_.holds(i)) {
+      push.none(i);
+      continue;
+    }
+    double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
+    wrong |= push(i, sum);
+    for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
+  }
+  return wrong;
+}
+
+/* ----------------------------------------------------------------------
+   The same loop for fix grain/motion, which moves each grain while its numbers are at hand. A wrong
+   force ends the run before the grain has it.
+------------------------------------------------------------------------- */
+
+template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS, bool JOIN>
+bool FixFluidForce::push_and_move(const GrainStep &given, const Booking &book)
+{
+  const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, given.dt, book);
+  const GrainStep grains = given;    // a copy: stays in registers
+  bool wrong = false;
+  for (int i = 0; i < grains.n; i++) {
+    const bool held = held_.holds(i);
+    if (!grains.moves(i) || held) {
+      if (held && grains.moves(i)) push.none(i);
+      grains.end<JOIN>(i);
+      continue;
+    }
+    double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
+    if (push(i, sum)) wrong = true;
+    else if (JOIN) grains.pass(i, sum);
+    else {
+      for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
+      grains.kick(i);
     }
   }
   return wrong;
@@ -171,15 +255,14 @@ bool FixFluidForce::turn(double kick, bool remove)
 
 /* ---------------------------------------------------------------------- */
 
-bool FixFluidForce::push(double kick, bool remove, bool book)
+template<typename Call>
+bool FixFluidForce::choose(const Call &call)
 {
-  if (uniform_ && uniform_->hasAddedMass()) return push<true, false, true>(kick, remove, book);
-  if (uniform_) return push<true, false, false>(kick, remove, book);
+  if (uniform_ && uniform_->hasAddedMass()) return call(Kind<true, false, true>());
+  if (uniform_) return call(Kind<true, false, false>());
   if (addedMass_)
-    return nonReactingForce_ ? push<false, true, true>(kick, remove, book)
-      : push<false, false, true>(kick, remove, book);
-  return nonReactingForce_ ? push<false, true, false>(kick, remove, book)
-    : push<false, false, false>(kick, remove, book);
+    return nonReactingForce_ ? call(Kind<false, true, true>()) : call(Kind<false, false, true>());
+  return nonReactingForce_ ? call(Kind<false, true, false>()) : call(Kind<false, false, false>());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -191,10 +274,38 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
 
   const bool work = books_work();
   if (work && book) book_work_before();
-  if (push(kick, remove, book)) refuse_force();
+  const Booking booking = {book, remove, true, false};
+  if (choose([&](auto kind) { return push_of(kind, kick, booking); })) refuse_force();
   if (work) book_work_after(book);
   if (!fluidTorque_) return;
   if (uniform_ ? turn<true>(kick, remove) : turn<false>(kick, remove)) refuse_torque();
+}
+
+/* ----------------------------------------------------------------------
+   With torque or work there is more than one loop: fix grain/motion has one of its own then
+------------------------------------------------------------------------- */
+
+bool FixFluidForce::joins() const
+{
+  return !fluidTorque_ && !books_work();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidForce::move(const GrainStep &grains)
+{
+  held_.update(update->ntimestep);
+  if (!joins()) {
+    apply(update->dt, false, true);
+    grains.end_all<false>();
+    return;
+  }
+
+  sumStep_ = -1;
+  const Booking booking = {true, false, !bookedAhead_, grains.join};
+  bookedAhead_ = grains.join;    // on all ranks alike
+  if (atom->nlocal == 0) return;
+  if (choose([&](auto kind) { return move_of(kind, grains, booking); })) refuse_force();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -22,8 +22,10 @@
 #include "math_const.h"
 #include "modify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -43,7 +45,7 @@ static const double SMALLEST_ADDED = 1e-6, LARGEST_ADDED = 100.0;
 
 UniformFlow::UniformFlow(LAMMPS *lmp, FixArguments &arguments) :
   Pointers(lmp), density_(0.0), viscosity_(0.0),
-  buoyancy_(false), rotation_(false), magnus_(false), addedMass_(0.0), gravity_(NULL)
+  buoyancy_(false), rotation_(false), magnus_(false), addedMass_(0.0), gravity_(NULL), given_(NULL)
 {
   for (double &component : velocity_)
     component = arguments.number("the fluid velocity ux uy uz after 'uniform'", -FASTEST, FASTEST);
@@ -107,10 +109,15 @@ void UniformFlow::set_law(FixArguments &arguments, const std::string &name, doub
 void UniformFlow::init()
 {
   gravity_ = NULL;
+  given_ = NULL;
   if (!buoyancy_) return;
-  for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++)
+  for (int ifix = 0; ifix < modify->nfix && !gravity_; ifix++) {
+    int dim;
     gravity_ = dynamic_cast<FixGravity *>(modify->fix[ifix]);
-  if (!gravity_) error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity; add, for instance, "
+    if (strcmp(modify->fix[ifix]->style, "grain/motion") == 0)
+      given_ = static_cast<const double *>(modify->fix[ifix]->extract("grain_motion_gravity", dim));
+  }
+  if (!gravity_ && !given_) error->all(FLERR, "Fix fluid/force: buoyancy yes requires a fix gravity; add, for instance, "
     "fix g all gravity 9.81 vector 0 0 -1, or take buoyancy out");
 }
 
@@ -120,6 +127,7 @@ void UniformFlow::buoyancy(double *force) const
 {
   force[0] = force[1] = force[2] = 0.0;
   if (gravity_) gravity_->get_gravity(force);
+  else if (given_) std::copy(given_, given_ + 3, force);
   for (int dim = 0; dim < 3; dim++) force[dim] *= -density_;
 }
 

@@ -81,6 +81,7 @@ class UniformFlow : protected Pointers {
   bool buoyancy_, rotation_, magnus_;
   double addedMass_;                // coefficient C, -; 0 without
   class FixGravity *gravity_;
+  const double *given_;             // m/s2, by fix grain/motion
 
   void set_law(grainjet::FixArguments &, const std::string &name, double sphericity);
   double spinReynolds(int i) const;    // |w| d^2/nu of the particles of grain i

@@ -20,7 +20,7 @@ function(grainjet_install component binaries data pages)
   set(part COMPONENT ${component} EXCLUDE_FROM_ALL)
   set(read_only PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
   install(TARGETS liggghtsloader hertzcgplugin collisionstatsplugin platestatsplugin surfacestatsplugin fluidforceplugin fluidheatplugin
-    wallroughnessplugin
+    grainmotionplugin wallroughnessplugin
     LIBRARY DESTINATION ${binaries} ${part} ${read_only})
   foreach(name jetTurbulenceModels jetVoFphaseTurbulenceModels jetTwoPhaseMixtureTurbulenceModels
       particleSamplingPlanes liggghtsCoupling)

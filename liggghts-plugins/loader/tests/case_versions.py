@@ -32,7 +32,7 @@ class Versions(LoaderCase):
 
     def test_every_part_is_stamped(self):
         for name in ("hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "surfacestatsplugin", "fluidforceplugin", "fluidheatplugin",
-                     "wallroughnessplugin", "liggghtsloader"):
+                     "grainmotionplugin", "wallroughnessplugin", "liggghtsloader"):
             file = grainjet.ROOT / f"lib/{name}.so"
             symbols = subprocess.run(["nm", "-D", file], check=True, stdout=subprocess.PIPE, text=True).stdout
             self.assertIn("liggghtsplugin_grainjet", symbols, name)

@@ -26,6 +26,7 @@
 #include "modify.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -275,6 +276,17 @@ void Foam::liggghtsSession::setInserted(const double inserted)
 void Foam::liggghtsSession::advance(const int n)
 {
     inFolder here(folder_);
+
+    // A fix grain/motion may run ahead of the last step by half a step, but for this one
+    for (int i = 0; i < lmp_->modify->nfix; ++i)
+    {
+        int dim = 0;
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (std::strcmp(fix->style, "grain/motion") == 0)
+        {
+            *static_cast<LAMMPS_NS::bigint*>(fix->extract("grain_motion_until", dim)) = lmp_->update->ntimestep + n;
+        }
+    }
     lmp_->update->integrate->run(n);
     sessionWarnings::gather();
 }
@@ -334,6 +346,16 @@ bool Foam::liggghtsSession::gravity(double (&g)[3]) const
         if (fix)
         {
             fix->get_gravity(g);
+            return true;
+        }
+
+        int dim = 0;
+        LAMMPS_NS::Fix* motion = lmp_->modify->fix[i];
+        const void* given = std::strcmp(motion->style, "grain/motion") == 0
+          ? motion->extract("grain_motion_gravity", dim) : nullptr;
+        if (given)
+        {
+            std::copy_n(static_cast<const double*>(given), 3, g);
             return true;
         }
     }

@@ -262,7 +262,7 @@ class Plugins(unittest.TestCase):
             targets = subprocess.run(["cmake", "--build", folder, "--target", "help"], check=True,
                                      stdout=subprocess.PIPE, text=True).stdout
             for plugin in ("liggghtsloader", "hertzcgplugin", "collisionstatsplugin", "platestatsplugin", "surfacestatsplugin", "fluidforceplugin",
-                           "fluidheatplugin", "wallroughnessplugin"):
+                           "fluidheatplugin", "grainmotionplugin", "wallroughnessplugin"):
                 self.assertIn(plugin, targets)
             self.assertNotIn("exampleplugin", targets)
             self.assertNotIn("test_", targets)

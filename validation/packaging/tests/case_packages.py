@@ -19,7 +19,7 @@ import grainjet
 BUILD = grainjet.ROOT/"build"
 VERSION = re.search(r'VERSION "(.*)"', (grainjet.ROOT/"liggghts-plugins/host/grainjet_version.h").read_text())[1]
 PLUGINS = ("hertzcgplugin.so", "collisionstatsplugin.so", "platestatsplugin.so", "surfacestatsplugin.so", "fluidforceplugin.so", "fluidheatplugin.so",
-           "wallroughnessplugin.so")
+           "grainmotionplugin.so", "wallroughnessplugin.so")
 LIBRARIES = ("libliggghtsCoupling.so", "libjetTurbulenceModels.so", "libparticleSamplingPlanes.so",
              "libjetVoFphaseTurbulenceModels.so", "libjetTwoPhaseMixtureTurbulenceModels.so")
 CASES = ("quickJet/Allrun", "fluidBed/Allrun", "waterJet/Allrun", "sandblast/Allrun", "elbow/Allrun", "coldSpray/Allrun", "jetMill/Allrun",

@@ -49,7 +49,7 @@ fix m2 all property/global poissonsRatio peratomtype 0.3
 fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
 timestep {dt}
-fix move all nve/sphere
+{move}
 {gravity}
 {fixes}
 fix fluid all fluid/force coupled
@@ -70,13 +70,13 @@ def grains(positions, velocities, diameter=2e-4, density=2500.0):
 
 
 def script(folder, *, grains, dt=1e-5, gravity="", fixes="", plugins="", processors="",
-           box="0 0.02 0 0.02 0 0.04", boundary="p p p", end="", name="in.particles"):
+           box="0 0.02 0 0.02 0 0.04", boundary="p p p", end="", name="in.particles", move="fix move all nve/sphere"):
     """Write the input script of LIGGGHTS into constant/."""
     constant = pathlib.Path(folder) / "constant"
     (constant / "new.grains").write_text(NEW.format(box=box, grains=grains))
     (constant / name).write_text(SCRIPT.format(
         dt=dt, gravity=gravity, fixes=fixes, plugins=plugins, processors=processors,
-        boundary=boundary, end=end))
+        boundary=boundary, end=end, move=move))
 
 
 def void_fraction(equations, model="divided", minimum=0.3):
