@@ -55,7 +55,7 @@ def run(work, n, outer):
 
 
 def row(folder):
-    """A line of the table."""
+    """The cells of a line of each table: cost, statistics."""
     p = check.parameters(folder)
     log = (folder/"log.pimpleFoam").read_text()
     planes = check.Results(folder).planes
@@ -71,19 +71,22 @@ def row(folder):
     means = " ".join(f"{plane.mean:.2f} +- {plane.error:.2f}" for plane in planes)
     rms = " ".join(f"{plane.rms:.2f}" for plane in planes)
     flows = " ".join(f"{plane.particles_per_s/put:.3f}" for plane in planes)
-    return [n, f"{max(courant):.1f}", outer, str(len(solves)), str(sum(solves)), means, rms, flows, f"{slip:.3f}", f"{100*change:.2f} %",
-            f"{balance['imbalance'].max():.0e}", f"{balance['secondsFluid'].sum():.0f}", f"{balance['secondsDEM'].sum():.0f}",
-            f"{balance['secondsCoupling'].sum():.0f}", f"{clock:.0f}"]
+    name = [n, f"{max(courant):.1f}", outer]
+    seconds = [f"{balance[part].sum():.0f}" for part in ("secondsFluid", "secondsDEM", "secondsCoupling")]
+    return (name + [str(len(solves)), str(sum(solves)), *seconds, f"{clock:.0f}"],
+            name + [means, rms, flows, f"{slip:.3f}", f"{100*change:.2f} %", f"{balance['imbalance'].max():.0e}"])
 
 
 def table(work):
-    head = ["subSteps", "Courant, largest", "outer correctors", "pressure solves", "iterations",
-            "mean on the axis at 0.1, 10, 20 D, m/s", "rms, m/s", "number through the plane/inserted", "mean slip, m/s",
-            "change of the fluid/slip", "imbalance", "fluid, s", "DEM, s", "coupling, s", "clock, s"]
-    print("| " + " | ".join(head) + " |\n|" + "---|"*len(head))
+    name = ["n", "Courant", "outer"]
+    heads = (name + ["pressure solves", "iterations", "fluid, s", "DEM, s", "coupling, s", "clock, s"],
+             name + ["mean on the axis, m/s", "rms, m/s", "through the plane/inserted", "slip, m/s", "change/slip", "imbalance"])
     folders = [path.parent for path in work.glob("n*o*/log.pimpleFoam") if "\nEnd" in path.read_text()]
-    for folder in sorted(folders, key=lambda path: [int(k) for k in re.findall(r"\d+", path.name)]):
-        print("| " + " | ".join(row(folder)) + " |")
+    rows = [row(folder) for folder in sorted(folders, key=lambda path: [int(k) for k in re.findall(r"\d+", path.name)])]
+    for head, lines in zip(heads, zip(*rows)):
+        print("\n| " + " | ".join(head) + " |\n|" + "---|"*len(head))
+        for cells in lines:
+            print("| " + " | ".join(cells) + " |")
 
 
 def main():
