@@ -165,7 +165,7 @@ void Foam::probedMesh::points(const label n, const fileName& file)
     const volPointInterpolation& toPoints = volPointInterpolation::New(mesh_);
     const volScalarField one
     (
-        IOobject("one", mesh_.time().timeName(), mesh_), mesh_, dimensionedScalar(dimless, 1)
+        IOobject("one", mesh_.time().timeName(), mesh_), mesh_, dimensionedScalar("one", dimless, 1)
     );
     const scalarField ones(toPoints.interpolate(one)().primitiveField());
     const scalarField pAtPoints(toPoints.interpolate(p_)().primitiveField()/ones);
