@@ -218,8 +218,12 @@ void Foam::demSteps::report(const liggghtsSession& session, Ostream& os) const
     else
     {
         os  << dict_.get<label>("couplingInterval") << " DEM steps of " << session.timeStep()
-            << " s per " << (subSteps_ > 1 ? "sub-step, " + std::to_string(subSteps_) + " sub-steps per " : "")
-            << "fluid step";
+            << " s per ";
+        if (subSteps_ > 1)
+        {
+            os  << "sub-step, " << subSteps_ << " sub-steps per ";
+        }
+        os  << "fluid step";
     }
 }
 
