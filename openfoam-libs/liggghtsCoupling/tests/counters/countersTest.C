@@ -40,7 +40,7 @@ int main(int argc, char *argv[])
     Time runTime(Time::controlDictName, args);
     const fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
 
-    couplingLog log(mesh, false, false, false, false);
+    couplingLog log(mesh, false, false, false, false, false);
 
     for (int n = 1; n <= 5; ++n)
     {
