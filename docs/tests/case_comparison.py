@@ -22,7 +22,7 @@ class Comparison(unittest.TestCase):
 
     def test_commands_exist(self):
         named = re.findall(r"`(validation/\S+?\.py)", PAGE)
-        self.assertEqual(len(named), 5)
+        self.assertGreaterEqual(len(named), 5)
         self.assertEqual([name for name in named if not os.access(grainjet.ROOT / name, os.X_OK)], [])
 
 
