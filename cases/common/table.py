@@ -26,7 +26,7 @@ NUMBERS = set("""rhoFluid gravity powerLaw turbulenceIntensity mixingLength cg s
 nozzleRadius endRadius boxRadius widening coreSide airGrading jetGrading plateRadius plateRings radialBins
 maxRadius settleFactor sampleTime ranks D jetLength youngsModulus poissonsRatio restitution friction
 rollingFriction dParticle rhoParticle massLoading Umean Re Uinsertion uRmsAxial uRmsRadial demStep
-pipeLength insertionLength cellLength nSide nRing nAir courant rayleigh writes spinUpIterations
+pipeLength insertionLength cellLength nSide nRing nAir courant rayleigh subSteps writes spinUpIterations
 refinement""".split())
 LISTS = {"planes", "sizeRange"}
 WORDS = {"interpolation", "endPatch", "wallLaw", "turbulentDispersion", "models"}
@@ -193,22 +193,25 @@ def derive(s):
     s["nPipe"] = math.ceil(s["pipeLength"]/cell)
     s["nJet"] = math.ceil(s["jetLength"]/(cell*stretch))
 
-    # Steps
+    # Steps: `courant` and `rayleigh` limit the sub-step, through which grains fly while the fluid stays
+    # as it is, and the DEM step; subSteps of them make a fluid step
+    if not isinstance(s["subSteps"], int) or s["subSteps"] < 1:
+        raise TableError(f"run {s['name']}: subSteps = {s['subSteps']!r} must be a whole number from 1 on")
     umax = s["Umean"]*(s["powerLaw"] + 1)*(2*s["powerLaw"] + 1)/(2*s["powerLaw"]**2)
     whole = rayleigh_time(s["cg"]*s["dParticle"]/2, s["rhoParticle"], s["youngsModulus"], s["poissonsRatio"])
     if "courant" in s:
-        s["fluidStep"] = round_down(s["courant"]*cell*s["D"]/umax)
-        s["couplingInterval"] = max(1, math.ceil(s["fluidStep"]/(0.01*s["rayleigh"]*whole)))
+        sub_step = round_down(s["courant"]*cell*s["D"]/umax)
+        s["couplingInterval"] = max(1, math.ceil(sub_step/(0.01*s["rayleigh"]*whole)))
     else:
         s["couplingInterval"] = 10
-        s["fluidStep"] = float(f"{10*s['demStep']:.10g}")
-    s["subSteps"] = 1
-    s["demStep"] = s["fluidStep"]/s["couplingInterval"]
+        sub_step = float(f"{10*s['demStep']:.10g}")
+    s["fluidStep"] = float(f"{s['subSteps']*sub_step:.10g}")
+    s["demStep"] = sub_step/s["couplingInterval"]
     s["percentRayleigh"] = 100*s["demStep"]/whole
 
     # Grains enter in packets that are long enough for them to find room
     flight = s["D"]/s["Umean"]
-    steps = max(2, math.ceil(0.0866*flight/s["fluidStep"]))
+    steps = max(2, math.ceil(0.0866*flight/sub_step))
     s["insertionInterval"] = steps*s["couplingInterval"]
     s.setdefault("insertionLength", s["pipeLength"] - s["endOffset"])
 

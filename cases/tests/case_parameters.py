@@ -58,7 +58,16 @@ class Derived(unittest.TestCase):
     def test_full_is_not_coarse_grained_and_takes_the_steps_of_table_4(self):
         for name, s in self.full.items():
             self.assertEqual((s["cg"], s["couplingInterval"], s["pipeLength"]), (1, 10, 45))
-            self.assertAlmostEqual(s["fluidStep"], 10*self.table.cases[name]["demStep"], delta=1e-12)
+            step = self.table.cases[name]["demStep"]
+            self.assertAlmostEqual(s["demStep"]/step, 1, places=9)
+            self.assertAlmostEqual(s["fluidStep"]/(10*s["subSteps"]*step), 1, places=9)
+
+    def test_sub_steps_are_a_whole_number(self):
+        """0, halves and numbers of floating point: an error that names the run and the entry."""
+        for wrong in (0, 2.5, 5.0):
+            self.table.data["defaults"]["subSteps"] = wrong
+            with self.assertRaisesRegex(table.TableError, "Lau1: subSteps = .* must be a whole number from 1 on"):
+                self.table.run("Lau1", "quick")
 
     def test_sizes(self):
         """Within the range, number mean the nominal diameter, fractions of the mass that add to 1."""

@@ -2,7 +2,7 @@
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run costs, from the runs in hand: processor time per cell and fluid step, per grain and DEM
-step, per grain and fluid step. And with these what a larger run would cost."""
+step, per grain and exchange with the fluid. And with these what a larger run would cost."""
 
 import statistics
 
@@ -14,10 +14,10 @@ def unit_costs(run):
     cost = s["cost"]
     timed = cost["secondsFluid"] + cost["secondsDEM"] + cost["secondsCoupling"]
     used = cost["processorSeconds"]/timed
-    grain_fluid_steps = s["grainSteps"]/s["settings"]["couplingInterval"]
+    exchanges = s["grainSteps"]/s["settings"]["couplingInterval"]
     return {"fluid": used*cost["secondsFluid"]/(s["mesh"]["cells"]*s["fluidSteps"]),
             "DEM": used*cost["secondsDEM"]/s["grainSteps"],
-            "coupling": used*cost["secondsCoupling"]/grain_fluid_steps}
+            "coupling": used*cost["secondsCoupling"]/exchanges}
 
 
 def median_costs(runs):
@@ -37,10 +37,11 @@ def estimate(s, unit, residence):
     steps = s["endTime"]/s["fluidStep"]
     length = s["insertionLength"] + s["jetLength"]
     grains = s["particlesPerSecond"]/s["cg"]**3*residence*length*s["D"]/s["Umean"]
+    exchanges = steps*s["subSteps"]
     seconds = {"fluid": unit["fluid"]*cells(s)*steps,
-               "DEM": unit["DEM"]*grains*steps*s["couplingInterval"],
-               "coupling": unit["coupling"]*grains*steps}
-    return {"cells": cells(s), "grains": grains, "fluidSteps": steps, "demSteps": steps*s["couplingInterval"],
+               "DEM": unit["DEM"]*grains*exchanges*s["couplingInterval"],
+               "coupling": unit["coupling"]*grains*exchanges}
+    return {"cells": cells(s), "grains": grains, "fluidSteps": steps, "demSteps": exchanges*s["couplingInterval"],
             **{part: value/3600 for part, value in seconds.items()},
             "hours": sum(seconds.values())/3600}
 

@@ -181,7 +181,7 @@ def costs(results):
     jets = [run for run in serial if run.settings["endPatch"] == "outlet"]
     stay = statistics.median(cost.residence(run) for run in jets or serial)
     lines += [f"Measured on the serial runs above (medians): {1e6*unit['fluid']:.2f} us per cell and fluid step, "
-              f"{1e9*unit['DEM']:.0f} ns per grain and DEM step, {1e6*unit['coupling']:.2f} us per grain and fluid step; grains stay "
+              f"{1e9*unit['DEM']:.0f} ns per grain and DEM step, {1e6*unit['coupling']:.2f} us per grain and exchange; grains stay "
               f"{stay:.2f} times length over mean velocity. With these, without losses by parallel work:", "",
               head("case", "size", "f_cg", "cells", "grains", "fluid steps", "DEM steps",
                    "core hours: fluid", "DEM", "coupling", "all", "hours on the cores of its script")]
