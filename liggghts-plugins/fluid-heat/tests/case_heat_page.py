@@ -11,7 +11,7 @@ import grainjet
 from heat_case import BOX, HEAD, HeatCase, ONE
 
 PAGE = (grainjet.ROOT / "docs/fix_fluid_heat.md").read_text()
-BLOCKS = re.findall(r"^```\n(plugin load .*?)^```$", PAGE, re.M | re.S)
+BLOCKS = re.findall(r"^```liggghts\n(plugin load .*?)^```$", PAGE, re.M | re.S)
 
 
 class Page(HeatCase):

@@ -11,6 +11,7 @@ import grainjet
 
 PAGE = (grainjet.ROOT / "docs/new_model.md").read_text()
 LIBRARY = pathlib.Path(__file__).parent / "userModels"
+FORCES = LIBRARY.parents[1] / "forces"
 
 
 class NewModelPage(unittest.TestCase):
@@ -21,13 +22,13 @@ class NewModelPage(unittest.TestCase):
         self.assertGreater(len(blocks), 9)
         for block in blocks:
             names = re.findall(r"`(\w+\.[CH])`", PAGE[:block.start()])
-            source = (LIBRARY / names[-1]).read_text()
+            source = next(room / names[-1] for room in (LIBRARY, FORCES) if (room / names[-1]).exists()).read_text()
             self.assertIn(block.group(1), source, names[-1])
 
     def test_make(self):
         for name in ("files", "options"):
             text = (LIBRARY / "Make" / name).read_text()
-            self.assertIn(f"```\n{text}```", PAGE)
+            self.assertIn(f"```make\n{text}```", PAGE)
 
     def test_classes(self):
         """All of the library are in the table at the top, and all files of the table are there."""
