@@ -3,24 +3,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the blocks of the pages name is there: programs and files, plugins, styles and libraries, entries of the coupling.
 
-Blocks that are run as they stand have tests beside what they show (grainjet.pages, case_*page.py).
+case_block_runs.py and case_block_foam.py read and run them.
 """
 
 import re
 import unittest
 
 import grainjet
+from grainjet import blocks
 from grainjet.pages import table_of_page
 
-PAGES = [grainjet.ROOT / "README.md", grainjet.ROOT / "cases/README.md", *sorted((grainjet.ROOT / "docs").glob("*.md"))]
-BLOCK = re.compile(r"(?ms)^```(\w*)\n(.*?)^```$")
-# a library, plugin or style of the reader's own in an example
+# A library, plugin or style of the reader's own in an example
 EXAMPLES = {"exampleplugin.so", "plugin/example", "libmyGrainModels.so"}
-
-
-def blocks():
-    """(page, language, text) of all."""
-    return [(page.name, match[1], match[2]) for page in PAGES for match in BLOCK.finditer(page.read_text())]
 
 
 def registered(kind):
@@ -33,7 +27,7 @@ class Blocks(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.blocks = blocks()
+        cls.blocks = [(block.page, block.language, block.text) for block in blocks.of_pages()]
 
     def lines(self, pattern):
         """(page, match) of each line of a block that matches."""

@@ -18,6 +18,7 @@ impacts         impacts of single grains
 bad_input       inputs spoilt in every way
 messages        errors and warnings, read from the sources
 pages           the blocks and tables of the pages in docs/
+blocks          all blocks of the pages, read and run by the program that each is for
 releases        what differs between the releases of OpenFOAM
 
 It holds no tolerances. A file finds the package by PYTHONPATH, which `source environment` and ctest set.
