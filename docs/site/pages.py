@@ -4,7 +4,8 @@
 """pages.py <Grainjet> <folder>: copies the Markdown pages with their pictures and writes mkdocs.yml beside them.
 
 The pages are written for a Git host. For mkdocs, README.md becomes index.md, links to files that are no pages become
-plain text, and a list or table has an empty line before it.
+plain text, and a list or table has an empty line before it. Formulas between $ or $$ are set by KaTeX, which is copied
+from the system, so that the pages need no connection.
 """
 
 import pathlib
@@ -39,12 +40,15 @@ theme:
   font: false
   features: [navigation.tabs, navigation.top, search.highlight]
 plugins: [search]
-extra_css: [grainjet.css]
+extra_css: [katex/katex.min.css, grainjet.css]
+extra_javascript: [katex/katex.min.js, formulas.js]
 markdown_extensions:
   - tables
   - sane_lists
   - pymdownx.superfences
   - pymdownx.highlight
+  - pymdownx.arithmatex:
+      generic: true
   - toc:
       permalink: true
       slugify: !!python/object/apply:pymdownx.slugs.slugify {kwds: {case: lower}}
@@ -56,7 +60,14 @@ STYLE = """\
 .md-typeset table:not([class]) th, .md-typeset table:not([class]) td { padding: .4em .7em; min-width: 3rem; }
 .md-typeset td code { word-break: normal; overflow-wrap: normal; }
 .md-typeset img { max-height: 40rem; }
+div.arithmatex { overflow-x: auto; overflow-y: hidden; }
 """
+# arithmatex writes a formula as text between \( and \), or \[ and \]
+FORMULAS = """\
+for (const formula of document.querySelectorAll(".arithmatex"))
+  katex.render(formula.textContent.trim().slice(2, -2), formula, {displayMode: formula.tagName === "DIV", throwOnError: false});
+"""
+KATEX = pathlib.Path("/usr/share/javascript/katex")
 FENCE = re.compile(r"(?ms)(^[ \t]*```.*?^[ \t]*```[ \t]*$)")
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 ITEM = re.compile(r"[-*] |\d+\. ")
@@ -149,6 +160,11 @@ def main(root, folder):
         there.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(root / name, there)
     (folder / "pages/grainjet.css").write_text(STYLE)
+    (folder / "pages/formulas.js").write_text(FORMULAS)
+    for name in ("katex.min.js", "katex.min.css", *(f"fonts/{font.name}" for font in (KATEX / "fonts").glob("*.woff2"))):
+        there = folder / "pages/katex" / name
+        there.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(KATEX / name, there)
     (folder / "mkdocs.yml").write_text(CONFIGURATION + nav)
 
 

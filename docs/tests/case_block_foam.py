@@ -2,6 +2,7 @@
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The blocks for OpenFOAM, each read by the solver in the file that it is for: unknown entries, words and models are errors."""
+# label: long
 
 import re
 import unittest

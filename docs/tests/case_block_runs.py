@@ -2,6 +2,7 @@
 # Copyright (C) 2026 The Grainjet developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each block of the pages, read or run by the program that it is for (grainjet.blocks); a broken one of each kind is found."""
+# label: long
 
 import concurrent.futures
 import pathlib

@@ -44,7 +44,8 @@ class Site(grainjet.Case):
 
 if __name__ == "__main__":
     theme = pathlib.Path("/usr/share/mkdocs/themes/material")
-    if shutil.which("mkdocs") is None or not theme.is_dir():
-        print("skipped: the web pages need the packages mkdocs and mkdocs-material")
+    katex = pathlib.Path("/usr/share/javascript/katex/katex.min.js")
+    if shutil.which("mkdocs") is None or not theme.is_dir() or not katex.is_file():
+        print("skipped: the web pages need the packages mkdocs, mkdocs-material and libjs-katex")
         sys.exit(77)
     unittest.main()
