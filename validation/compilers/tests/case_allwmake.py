@@ -123,6 +123,21 @@ class Allwmake(grainjet.Case):
         _, calls = self.allwmake(ABSENT=absent)
         self.assertTrue(self.one(calls, "apt-get").endswith(" install " + " ".join(OF_TESTS)), calls)
 
+    def test_packages_of_web_pages(self):
+        """Installed with those for tests; an archive without them refuses nothing."""
+        absent = " mkdocs mkdocs-material libjs-katex "
+        result, calls = self.allwmake(ABSENT=absent)
+        self.assertEqual(result.code, 0, result)
+        self.assertTrue(self.one(calls, "apt-get").endswith(" install" + absent.rstrip()), calls)
+        result, calls = self.allwmake(ABSENT=absent, UNKNOWN=" mkdocs-material ")
+        self.assertEqual(result.code, 0, result)
+        self.assertTrue([call for call in calls if "apt-get" in call][-1].endswith(" install mkdocs libjs-katex"), calls)
+        result, calls = self.allwmake("-no-tests", ABSENT=absent)
+        self.assertEqual([call for call in calls if "apt-get" in call], [])
+        result, calls = self.allwmake(ABSENT=absent, UNKNOWN=absent)
+        self.assertEqual(result.code, 0, result)
+        self.assertEqual([call.split(": ")[1] for call in calls if "apt-get" in call], ["apt-get -q update"])
+
     def test_reader_of_TOML(self):
         """A package of its own for a Python before 3.11, where scripts are wanted."""
         for python, arguments, wanted in (("3.10.6-1~22.04", (), True), ("3.11.2-1", (), False), ("3.10.6-1~22.04", ("-no-tests",), False)):
