@@ -20,6 +20,13 @@ class Comparison(unittest.TestCase):
         there = {path.name for room in ("openfoam-libs", "liggghts-plugins") for path in (grainjet.ROOT / room).rglob("case_*.py")}
         self.assertEqual(named - there, set())
 
+    def test_sources_are_named(self):
+        """Each label of a link has its address, and each address is used."""
+        used = set(re.findall(r"\]\[([\w-]+)\]", PAGE))
+        given = dict(re.findall(r"(?m)^\[([\w-]+)\]: (https://\S+)$", PAGE))
+        self.assertGreater(len(used), 15)
+        self.assertEqual(used, set(given))
+
     def test_commands_exist(self):
         named = re.findall(r"`(validation/\S+?\.py)", PAGE)
         self.assertGreaterEqual(len(named), 5)
