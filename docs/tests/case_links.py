@@ -15,8 +15,7 @@ LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\)|\[[^\]]*\])*)\]\(([
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^()\s]+)\)")
 # Tables of many measured figures, or with a cell per entry that a test reads; one of them is written by a program.
 # Their other lines are short.
-WIDE_TABLES = {"validation/cases/report.md", "validation/benchmarks/coupling/README.md", "validation/benchmarks/dpmfoam/README.md",
-               "docs/liggghtsCoupling.md", "docs/fix_fluid_force.md", "docs/tutorial.md"}
+WIDE_TABLES = {"validation/cases/report.md", "validation/benchmarks/coupling/README.md", "validation/benchmarks/dpmfoam/README.md"}
 GENERATED = {"validation/cases/report.md"}
 # What a program prints cannot be wrapped
 SHOWN = re.compile(r"(?ms)^<!-- shows -->\n```.*?^```$")
