@@ -61,7 +61,9 @@ class QuickJet(grainjet.Case):
         # a check that cannot fail is none: spoil the balance and it must
         balance = next((case/"postProcessing"/"liggghtsCoupling").glob("*/balance.dat"))
         self.assert_failed(case, balance, "inserted ", "inserted", lambda n: n + 100)      # 100 grains that are nowhere
-        self.assert_failed(case, balance, "sub-steps: ", "fluidChange", lambda change: 20*change)
+        self.assert_failed(case, balance, "sub-steps: in a fluid step", "fluidChange", lambda change: 20*change)
+        dictionaries.change(case/"log.pimpleFoam", ("\nEnd", "\nCourant Number mean: 0.1 max: 5.1\nEnd"))
+        self.assert_failed(case, balance, "sub-steps: largest Courant number 5.1", "bytes", lambda n: n)
 
     def assert_failed(self, case, balance, words, column, spoil):
         """Of all checks those that begin with these words fail, and no others, if a column of the balance is another one."""
