@@ -178,7 +178,7 @@ void FixWallRoughness::begin(int i, const double *towards)
   if (distance == 0.0) return;    // the centre lies on the wall: it has no side
   const Vector3 normal = -1.0 / distance * to;
 
-  const GrainRandom random(seed_, atom->tag[i], static_cast<uint32_t>(update->ntimestep));
+  const GrainRandom random(seed_, atom->tag[i], update->ntimestep, GrainRandom::ROUGHNESS);
   const Vector3 facet = grainjet::wall::facet(normal, velocity, deviation_, random);
   const Vector3 rotation = grainjet::wall::turn(normal, facet);
   turn[1] = rotation.x;

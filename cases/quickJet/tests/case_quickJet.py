@@ -6,6 +6,7 @@
 """The main job, shrunk: the same Allrun on a coarser mesh with larger grains, in a copy of the
 folder. What it must leave behind, what must hold in its results, and how it fails."""
 
+import re
 import shutil
 import unittest
 
@@ -15,8 +16,8 @@ from grainjet import dictionaries, fields, tables
 QUICK_JET = grainjet.ROOT/"cases"/"quickJet"
 
 # Every length of a cell and the time step twice those of the job, grains twice as large:
-# Courant number and % Rayleigh stay the same
-SHRUNK = {"cg": 4, "fluidStep": 1e-4, "nSide": 4, "nRing": 3, "nAir": 8, "nPipe": 38, "nJet": 32,
+# Courant number and % Rayleigh stay the same, and so does the number of sub-steps
+SHRUNK = {"cg": 4, "fluidStep": 5e-4, "nSide": 4, "nRing": 3, "nAir": 8, "nPipe": 38, "nJet": 32,
           "sampleStart": 0.06, "endTime": 0.1, "writeInterval": 0.02}
 
 
@@ -35,7 +36,6 @@ class QuickJet(grainjet.Case):
 
     def test_job_and_its_results(self):
         case = shrunk_copy(self.folder)
-        # the coupled run takes 8 s on a free machine
         job = grainjet.run(["./Allrun"], case, timeout=800, env={"GRAINJET_PROGRESS": "2"})
         self.assertEqual(job.code, 0, job)
 
@@ -60,13 +60,28 @@ class QuickJet(grainjet.Case):
 
         # a check that cannot fail is none: spoil the balance and it must
         balance = next((case/"postProcessing"/"liggghtsCoupling").glob("*/balance.dat"))
-        lines = balance.read_text().splitlines()
-        values = lines[-1].split("\t")
-        values[1] = str(int(float(values[1])) + 100)    # 100 grains inserted but nowhere
-        values[3] = str(int(float(values[3])) + 100)
-        balance.write_text("\n".join([*lines[:-1], "\t".join(values)]) + "\n")
+        self.assert_failed(case, balance, "inserted ", "inserted", lambda n: n + 100)      # 100 grains that are nowhere
+        self.assert_failed(case, balance, "sub-steps: in a fluid step", "fluidChange", lambda change: 20*change)
+        dictionaries.change(case/"log.pimpleFoam", ("\nEnd", "\nCourant Number mean: 0.1 max: 5.1\nEnd"))
+        self.assert_failed(case, balance, "sub-steps: largest Courant number 5.1", "bytes", lambda n: n)
+
+    def assert_failed(self, case, balance, words, column, spoil):
+        """Of all checks those that begin with these words fail, and no others, if a column of the balance is another one."""
+        kept = balance.read_text()
+        lines = kept.splitlines()
+        place = list(tables.read(balance)).index(column)
+        for i, line in enumerate(lines):
+            if line[:1] != "#":
+                values = line.split("\t")
+                values[place] = f"{spoil(float(values[place])):.17g}"
+                lines[i] = "\t".join(values)
+        balance.write_text("\n".join(lines) + "\n")
         judged = grainjet.run([grainjet.ROOT/"cases"/"common"/"check.py", case], case)
-        self.assertFails(judged, "FAILED")
+        balance.write_text(kept)
+        self.assertNotEqual(judged.code, 0, judged)
+        failed = re.findall(r"(?m)^ *FAILED +(.*)$", judged.output)
+        self.assertEqual([text.startswith(words) for text in failed], [True]*len(failed), judged)
+        self.assertGreater(len(failed), 0)
 
     def test_failing_solver_ends_the_job_with_its_message(self):
         case = shrunk_copy(self.folder)

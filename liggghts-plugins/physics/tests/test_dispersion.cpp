@@ -83,7 +83,8 @@ TEST(GrainRandom, Key)
   GrainRandom(1, 5, 9).normals(0, b);
   for (int k = 0; k < 4; k++)
     EXPECT_EQ(a[k], b[k]);
-  const GrainRandom others[] = {{2, 5, 9}, {1, 6, 9}, {1, 5, 10}, {1, 5 + (int64_t(1) << 32), 9}};
+  const GrainRandom others[] = {{2, 5, 9}, {1, 6, 9}, {1, 5, 10}, {1, 5 + (int64_t(1) << 32), 9},
+                                {1, 5, 9 + (int64_t(1) << 32)}, {1, 5, 9, GrainRandom::ROUGHNESS}};
   for (const GrainRandom &other : others) {
     other.normals(0, b);
     EXPECT_NE(a[0], b[0]);

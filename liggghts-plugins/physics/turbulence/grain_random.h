@@ -19,14 +19,17 @@
 namespace grainjet {
 namespace turbulence {
 
-/* Random numbers of a grain in a time step, a function of seed, grain, step and number of the draw alone:
-   the same on any rank and after a restart, with no generator to be kept. Philox4x32-10 (Salmon,
-   Moraes, Dror and Shaw 2011).                                                          */
+/* Random numbers of a grain in a time step, a function of seed, grain, step, number of the draw and what they
+   are for alone: the same on any rank and after a restart, with no generator to be kept. Philox4x32-10
+   (Salmon, Moraes, Dror and Shaw 2011).                                                 */
 class GrainRandom {
 public:
-  GrainRandom(uint32_t seed, int64_t grain, uint32_t step)
-    : key_{{seed, 0x6772616eu}},
-      counter_{{uint32_t(grain), uint32_t(uint64_t(grain) >> 32), step, 0u}}
+  // Two models have numbers of their own in the same step, even with equal seeds
+  enum Use : uint32_t { EDDIES = 0, ROUGHNESS = 1 };
+
+  GrainRandom(uint32_t seed, int64_t grain, int64_t step, Use use = EDDIES)
+    : key_{{seed, 0x6772616eu ^ (use << 24) ^ uint32_t(uint64_t(step) >> 32)}},
+      counter_{{uint32_t(grain), uint32_t(uint64_t(grain) >> 32), uint32_t(step), 0u}}
   {}
 
   // Four independent standard normal numbers (Box and Muller 1958) of draw number n

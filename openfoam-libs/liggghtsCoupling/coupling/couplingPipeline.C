@@ -144,7 +144,7 @@ void Foam::couplingPipeline::fly
 {
     const label subSteps = steps_.subSteps();
     const bool first = (subStep == 0);
-    fluid_.setSubStep(subStep, subSteps);
+    fluid_.setInterval(subSteps, session_.step());
 
     // What the fluid is still owed moves to where the grains have come to at the end of a fluid step
     const bool moved = first && debts_ && debts_->take(*grains_, averages_, fluid_);

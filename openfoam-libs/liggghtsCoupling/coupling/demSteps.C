@@ -103,10 +103,22 @@ void Foam::demSteps::checkFixed(const liggghtsSession& session) const
         << "couplingInterval " << interval
         << ", timestep " << dem << " s (" << dict_.get<fileName>("script") << "), product "
         << steps*dem << " s.\n    Set deltaT to " << steps*dem;
-    const scalar fitting = fluid/dem/subSteps_;
-    if (std::round(fitting) >= 1 && fitting < scalar(labelMax))
+
+    // With whole numbers, which may take another fluid step; subSteps only where it is used
+    const scalar number = max(scalar(1), std::round(fluid/dem/subSteps_));
+    const scalar nearest = number*subSteps_*dem;
+    const scalar parts = std::round(fluid/dem/interval);
+    if (subSteps_ > 1 && parts >= 1 && mag(fluid - parts*interval*dem) <= margin*fluid)
     {
-        message << " or couplingInterval to " << fitting;
+        message << ", or subSteps to " << parts;
+    }
+    if (number < scalar(labelMax))
+    {
+        message << ", or couplingInterval to " << number;
+        if (mag(fluid - nearest) > margin*fluid)
+        {
+            message << " and deltaT to " << nearest;
+        }
     }
 
     couplingEntries::onMaster

@@ -160,7 +160,7 @@ Foam::carrierFluid::carrierFluid
     hasGravity_(false),
     previousStep_(0),
     subSteps_(1),
-    subStep_(0),
+    intervalIndex_(0),
     mesh_(mesh),
     dict_(dict),
     coeffs_(coefficients(dict)),

@@ -120,6 +120,12 @@ void Foam::liggghtsSession::openLog(const bool continued)
 }
 
 
+std::int64_t Foam::liggghtsSession::step() const
+{
+    return lmp_->update->ntimestep;
+}
+
+
 void Foam::liggghtsSession::checkContinued(const restartFile& former) const
 {
     const LAMMPS_NS::GrainFile read = fluidForce().read;

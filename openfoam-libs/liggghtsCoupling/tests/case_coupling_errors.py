@@ -93,8 +93,8 @@ class BadInput(grainjet.Case):
 
     def test_time_step_that_changes_in_a_running_case(self):
         """Refused in the first step that is another, by what has changed it."""
-        for ranks, new, words in ((0, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
-                                  (2, "deltaT 2e-4", "Set deltaT to 0.0001 or couplingInterval to 20"),
+        for ranks, new, words in ((0, "deltaT 2e-4", "Set deltaT to 0.0001, or couplingInterval to 20"),
+                                  (2, "deltaT 2e-4", "Set deltaT to 0.0001, or couplingInterval to 20"),
                                   (2, "adjustTimeStep yes; maxCo 0.5; deltaT 1e-4", "adjustTimeStep yes cannot be set in a run")):
             with self.subTest(ranks=ranks, new=new):
                 folder = self.new_folder()

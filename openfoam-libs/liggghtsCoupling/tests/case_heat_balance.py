@@ -105,15 +105,21 @@ class HeatBalance(heat_box.HeatCase):
     def test_stiff(self):
         """Grains of 1000 times the heat capacity of the gas that follow it within 1/100 of a step. They take its temperature in the first
         step, in which it is that of the beginning; from the second one on both have their common one, to the conduction between
-        cells with more and with fewer grains."""
+        cells with more and with fewer grains. With four sub-steps the same: what the gas is owed after the first one is not
+        owed four times."""
+        for sub_steps in (1, 4):
+            with self.subTest(sub_steps=sub_steps):
+                self.stiff(sub_steps)
+
+    def stiff(self, sub_steps):
         gas = SIZE * gas_box.RHO0 * gas_box.CV
         H = 2 * heat_box.conductivity(1.8e-5, PR) * numpy.pi * 2e-4
         specific_heat = 1000.0
         density = 1000 * gas / (2000 * specific_heat * heat_box.mass(density=1.0))
         grain = heat_box.mass(density=density)
         delta_t = 100 * grain * specific_heat / H
-        folder = self.run_hot(steps=10, write_every=1, delta_t=delta_t, dem_step=delta_t / 10, dump_every=10, cells="5 5 10", walls=True,
-                              specific_heat=specific_heat, density=density)
+        folder = self.run_hot(steps=10, write_every=1, delta_t=delta_t, dem_step=delta_t / 10 / sub_steps, dump_every=10 * sub_steps,
+                              cells="5 5 10", walls=True, specific_heat=specific_heat, density=density, options={"subSteps": sub_steps})
         names = sorted((path.parent.name for path in folder.glob("*/particleHeatOwed")), key=float)
         self.assertEqual(len(names), 10)
         expected = self.common(folder, names[-1], specific_heat, grain=grain)

@@ -92,22 +92,28 @@ class SubSteps(heat_box.HeatCase):
 
     def test_eddies(self):
         """The sub-step is the interval of Langevin, each with random numbers of its own: turbulence that stays as it is
-        moves grains as in steps of that length."""
+        moves grains as in steps of that length. So it does in a run that goes on with another subSteps, in which no number
+        comes twice and none is left out."""
         last = []
-        for n in (1, 4):
+        for parts in ([(1, 20)], [(4, 5)], [(4, 3), (1, 8)]):
             folder = self.new_folder()
-            box.write(folder, steps=20 // n, delta_t=n * 1e-4, velocity="(0 0 1)")
+            n, steps = parts[0]
+            box.write(folder, steps=steps, delta_t=n * 1e-4, velocity="(0 0 1)")
             dictionaries.write(folder / "constant/turbulenceProperties", K_EPSILON)
             for name, value, dimensions in (("k", 0.1, "0 2 -2"), ("epsilon", 10, "0 2 -3"), ("nut", 9e-5, "0 2 -1")):
                 dictionaries.write_field(folder, name, dimensions, value, {".*": "type cyclic;"})
             box.script(folder, grains=box.grains(*box.swarm(100, 3), 2e-5), end=scripts.dump(200, "grains.dump", box.MOTION))
             box.fv_options(folder, coupling="oneWay", forces="()", turbulentDispersion="Langevin", subSteps=n)
             self.foam("blockMesh", folder)
-            self.foam("pimpleFoam", folder)
+            for n, steps in parts:
+                dictionaries.put(folder / "constant/fvOptions", subSteps=n)
+                dictionaries.put(folder / "system/controlDict", deltaT=repr(n * 1e-4), endTime="0.0012" if len(parts) > 1 and n > 1 else "0.002")
+                self.foam("pimpleFoam", folder)
             last.append(dumps.last(folder / "grains.dump"))
         for tag in last[0]:
-            for one, four in zip(last[0][tag], last[1][tag]):
-                self.assertAlmostEqual(one, four, delta=1e-11)       # the solver's tolerance
+            for one, *others in zip(*(rows[tag] for rows in last)):
+                for other in others:
+                    self.assertAlmostEqual(one, other, delta=1e-11)       # the solver's tolerance
         self.assertGreater(max(abs(row[3]) for row in last[0].values()), 0.3)
 
     def test_restart(self):
@@ -197,8 +203,11 @@ class SubSteps(heat_box.HeatCase):
     def test_refused(self):
         self.refused("subSteps 4 with equations full", "equations neglected", voidFraction=box.void_fraction("full"), ranks=2)
         self.refused("subSteps 4 with selfDisturbance yes", "Remove subSteps", selfDisturbance="yes")
-        self.refused("not subSteps times couplingInterval", "deltaT 0.0005", "subSteps 4", "couplingInterval 10",
-                     "Set deltaT to 0.0004 or couplingInterval to 12.5", delta_t=5e-4)
+        for delta_t, words in (("0.0005", "Set deltaT to 0.0004, or subSteps to 5, or couplingInterval to 13 and deltaT to 0.00052"),
+                               ("0.00048", "Set deltaT to 0.0004, or couplingInterval to 12\n"),
+                               ("1e-06", "Set deltaT to 0.0004, or couplingInterval to 1 and deltaT to 4e-05\n")):
+            self.refused("not subSteps times couplingInterval", f"deltaT {delta_t}", "subSteps 4", "couplingInterval 10", words,
+                         delta_t=float(delta_t))
 
 
 if __name__ == "__main__":

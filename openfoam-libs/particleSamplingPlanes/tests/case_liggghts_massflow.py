@@ -103,14 +103,14 @@ class Massflow(grainjet.Case):
         positions = [[rng.uniform(0.005, 0.015), rng.uniform(0.005, 0.015), rng.uniform(0.03, 0.0395)]
                      for _ in range(n)]
         velocities = [[0, 0, rng.uniform(0.8, 2.0)] for _ in positions]
-        for ranks, cut, sub_steps in ((0, None, 1), (2, "(2 1 1)", 1), (2, "(2 1 1)", 4)):
+        for ranks, cut, sub_steps, coupling in ((0, None, 1, "oneWay"), (2, "(2 1 1)", 1, "oneWay"), (2, "(2 1 1)", 4, "twoWay")):
             folder = self.folder/f"lost{ranks}x{sub_steps}"
             box.write(folder, steps=60//sub_steps, delta_t=DT*sub_steps, walls=True, decomposition=cut or "(1 1 2)",
                       functions=SAMPLING.replace("planes (", f"planes ({plane/DIAMETER!r} "))
             box.script(folder, grains=box.grains(positions, velocities, diameter=GRAIN), dt=DEM_DT,
                        boundary="f f f", fixes="neigh_modify delay 0 every 1 check no",
                        end="thermo_modify lost ignore\n" + scripts.dump(600, "end.dump", "id z"))
-            box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling="oneWay", subSteps=sub_steps)
+            box.fv_options(folder, couplingInterval=round(DT/DEM_DT), coupling=coupling, subSteps=sub_steps)
             self.foam("blockMesh", folder)
             if ranks:
                 self.foam("decomposePar", folder)

@@ -86,7 +86,8 @@ def fill(work, filled, cg):
     # ascii, because the other case is made from its fields; 17 digits lose nothing
     p = parameters(job)
     finer = p["cg"]/cg          # smaller grains need shorter DEM steps, in proportion
-    dictionaries.put(job/"system"/"parameters", endTime=filled, writeInterval=filled, cg=f"{cg:g}",
+    # DPMFoam solves the fluid as often as it exchanges momentum with the grains
+    dictionaries.put(job/"system"/"parameters", fluidStep=f"{p['fluidStep']/p['subSteps']:.10g}", subSteps=1, endTime=filled, writeInterval=filled, cg=f"{cg:g}",
         couplingInterval=round(finer*p["couplingInterval"]),
         insertionInterval=round(finer*p["insertionInterval"]))
     dictionaries.put(job/"system"/"controlDict", writeFormat="ascii", writePrecision=17)

@@ -5,7 +5,7 @@
 """quickJet with fluid steps of several sub-steps, see README.md.
 
     run.py prepare WORK                   mesh and steady flow without grains
-    run.py run WORK SUBSTEPS OUTER        the coupled run: the length of a sub-step stays that of the fluid step of quickJet;
+    run.py run WORK SUBSTEPS OUTER        the coupled run: the length of a sub-step stays that of quickJet;
                                           OUTER: outer correctors
     run.py table WORK                     what the finished runs have, as the table of the README
 
@@ -26,7 +26,7 @@ sys.path.insert(0, str(ROOT/"cases/common"))
 import check                # noqa: E402
 from grainjet import dictionaries, tables  # noqa: E402
 
-# fluid step of quickJet without sub-steps, s
+# length of quickJet's sub-steps, s: its fluid step without them
 STEP = 5e-5
 
 

@@ -39,7 +39,9 @@ def job(work, name):
     shutil.rmtree(case, ignore_errors=True)
     shutil.copytree(grainjet.ROOT/"cases/quickJet", case, ignore=shutil.ignore_patterns(
         "tests", "log.*", "processor*", "postProcessing", "results", "polyMesh", "particles", "0", "0.[0-9]*", "[1-9]*"))
-    dictionaries.put(case/"system/parameters", ranks=1)
+    # full solves the fluid as often as it exchanges momentum with the grains; the other one, too, to be compared
+    p = dictionaries.values(case/"system/parameters")
+    dictionaries.put(case/"system/parameters", ranks=1, fluidStep=f"{p['fluidStep']/p['subSteps']:.10g}", subSteps=1)
     entries = next(path for path in (case/"constant/fvOptions", case/"system/fvOptions") if path.exists())
     text, found = re.subn(r"(minimum\s+0\.3;)", rf"\1 {VARIANTS[name]}", entries.read_text())
     if found != 1:
