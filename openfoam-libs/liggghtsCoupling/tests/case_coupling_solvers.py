@@ -137,7 +137,7 @@ class TurbulenceSources(box.CoupledCase):
         for n, steps in parts:
             end += n * steps
             dictionaries.put(folder / "constant/fvOptions", subSteps=n)
-            dictionaries.put(folder / "system/controlDict", deltaT=f"{n * 1e-4:.10g}", endTime=f"{end * 1e-4:.10g}", writeInterval=steps)
+            dictionaries.put(folder / "system/controlDict", deltaT=f"{n * 1e-4:.10g}", endTime=f"{end * 1e-4:.10g}", writeInterval=min(steps for _, steps in parts))
             self.foam("pimpleFoam", folder)
         k = dictionaries.internal(folder / "0.002/k")
         return sum(k) / len(k)

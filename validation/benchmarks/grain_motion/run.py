@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Speed of `fix grain/motion` against the stock integration, with and without the force of a fluid.
 
-    source environment; run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--counts]
+    source environment; run.py [case ...] [--grains N] [--steps N] [--repeat N] [--ranks N] [--counts] [--apart]
 
 Cases
     dilute  the stream of the benchmark hertz_cg (solid fraction 4e-4, 6 m/s, a pipe as wall)
@@ -19,7 +19,7 @@ Programs
 
 All programs of a round run one after the other; every ratio is taken within a round, and the median of the
 rounds is printed with its range. --counts: instructions per grain and step instead, under valgrind's callgrind,
-of the difference between two runs, one of them longer by --steps.
+of the difference between two runs, one of them longer by --steps. --apart: beside a fix that looks at every step.
 """
 
 import argparse
@@ -43,11 +43,13 @@ plugin load {PROBE}
 fix f all fluid/force coupled
 fix d all exchange/probe 50 6.0 0 1.4e-8 0
 """
+# acts at the end of each step, and costs nothing for a grain
+LOOKS = "variable one equal 1\nfix look all ave/time 1 1000000 1000000 v_one\n"
 RATIOS = (("stock", "today"), ("stock", "motion"), ("today", "motion"), ("today+", "motion+"), ("today+", "today"),
           ("motion+", "motion"), ("motion+", "today"))
 
 
-def programs(case, steps):
+def programs(case, steps, apart=False):
     """Scripts by the name of the program."""
     stock, plugin = hertz.STOCK, hertz.PLUGIN
     if case == "dense":
@@ -64,6 +66,8 @@ def programs(case, steps):
     scripts["motion"] = bare.replace(integrate, motion + "\n")
     scripts["today+"] = scripts["today"].replace(integrate, FLUID + integrate)
     scripts["motion+"] = bare.replace(integrate, FLUID + motion + " fluid f\n")
+    if apart:
+        scripts = {name: re.sub(r"(?m)^(fix i all .*)$", rf"\1\n{LOOKS}", script) for name, script in scripts.items()}
     return scripts
 
 
@@ -78,12 +82,12 @@ def instructions(folder, script):
 
 def counts(folder, case, args):
     for name in programs(case, 1):
-        short, long = (instructions(folder, programs(case, n)[name]) for n in (100, 100 + args.steps))
+        short, long = (instructions(folder, programs(case, n, args.apart)[name]) for n in (100, 100 + args.steps))
         print(f"{case} {name:8} {(long - short) / args.steps / args.grains:7.1f} instructions", flush=True)
 
 
 def clock(folder, case, args):
-    scripts, times = programs(case, args.steps), {}
+    scripts, times = programs(case, args.steps, args.apart), {}
     for _ in range(args.repeat):
         for name, script in scripts.items():
             used = hertz.timed(folder, script, args.ranks) * args.ranks / args.steps / args.grains * 1e9
@@ -101,6 +105,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--counts", action="store_true")
+    parser.add_argument("--apart", action="store_true")
     parser.add_argument("case", nargs="*", default=["dilute", "dense"])
     args = parser.parse_args()
 
