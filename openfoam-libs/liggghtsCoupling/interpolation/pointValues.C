@@ -124,6 +124,30 @@ void Foam::pointValues::makeWeights()
 }
 
 
+void Foam::pointValues::packCells(const sampledFields::field& field)
+{
+    scalar* row = cells_.data() + field.lane;
+    if (field.scalar)
+    {
+        for (const scalar value : field.scalar->primitiveField())
+        {
+            *row = value;
+            row += width_;
+        }
+    }
+    else
+    {
+        for (const vector& value : field.vector->primitiveField())
+        {
+            row[0] = value.x();
+            row[1] = value.y();
+            row[2] = value.z();
+            row += width_;
+        }
+    }
+}
+
+
 template<class At>
 void Foam::pointValues::packRow
 (
@@ -280,6 +304,7 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
     width_(0),
     matching_(true),
     coupled_(mesh),
+    coupledHere_(coupled_.own()),
     unmatched_(mesh),
     constrained_(false)
 {
@@ -323,27 +348,22 @@ void Foam::pointValues::update(const sampledFields& fields)
         points_.assign(width_*mesh_.nPoints(), 0);
     }
 
+    if (!fields.newFluid && scalarsAlone(fields))
+    {
+        for (const sampledFields::field& field : fields.fields)
+        {
+            if (field.withGrains)
+            {
+                updateLane(field);
+            }
+        }
+        return;
+    }
+
+    former_.clear();
     for (const sampledFields::field& field : fields.fields)
     {
-        scalar* row = cells_.data() + field.lane;
-        if (field.scalar)
-        {
-            for (const scalar value : field.scalar->primitiveField())
-            {
-                *row = value;
-                row += width_;
-            }
-        }
-        else
-        {
-            for (const vector& value : field.vector->primitiveField())
-            {
-                row[0] = value.x();
-                row[1] = value.y();
-                row[2] = value.z();
-                row += width_;
-            }
-        }
+        packCells(field);
     }
     if (!matching_)
     {

@@ -228,6 +228,11 @@ void Foam::wallLawSampler::report(Ostream& os) const
 void Foam::wallLawSampler::update(const sampledFields& fields)
 {
     cellPointSampler::update(fields);
+    if (!fields.newFluid)
+    {
+        // Velocity, k, epsilon and walls are those of the update before
+        return;
+    }
     choose(fields);
     rows_.resize(width_*nRows_);
 
