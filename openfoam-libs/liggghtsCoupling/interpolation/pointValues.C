@@ -148,58 +148,6 @@ void Foam::pointValues::packCells(const sampledFields::field& field)
 }
 
 
-template<class At>
-void Foam::pointValues::packRow
-(
-    const sampledFields& fields,
-    const At& at,
-    scalar* row
-)
-{
-    for (const sampledFields::field& field : fields.fields)
-    {
-        if (field.scalar)
-        {
-            row[field.lane] = at(*field.scalar);
-        }
-        else
-        {
-            const vector& v = at(*field.vector);
-            for (direction k = 0; k < 3; ++k)
-            {
-                row[field.lane + k] = v[k];
-            }
-        }
-    }
-}
-
-
-template<Foam::label nBlocks>
-void Foam::pointValues::sumPoints(const label firstBlock)
-{
-    constexpr label n = nBlocks*blockSize;
-    const scalar* cells = cells_.data() + blockSize*firstBlock;
-    scalar* row = points_.data() + blockSize*firstBlock;
-    const label nPoints = mesh_.nPoints();
-    label part = 0;
-    for (label i = 0; i < nPoints; ++i)
-    {
-        scalar sum[n] = {};
-        for (const label end = firstPart_[i + 1]; part < end; ++part)
-        {
-            const scalar weight = weights_[part];
-            const scalar* values = cells + width_*parts_[part];
-            for (label k = 0; k < n; ++k)
-            {
-                sum[k] += weight*values[k];
-            }
-        }
-        std::copy_n(sum, n, row);
-        row += width_;
-    }
-}
-
-
 void Foam::pointValues::packPatches(const sampledFields& fields)
 {
     scalar* rows = cells_.data() + width_*mesh_.nCells();
@@ -302,6 +250,7 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
     mesh_(mesh),
     nLanes_(0),
     width_(0),
+    everywhere_(true),
     matching_(true),
     coupled_(mesh),
     coupledHere_(coupled_.own()),
@@ -338,7 +287,7 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pointValues::update(const sampledFields& fields)
+void Foam::pointValues::update(const sampledFields& fields, const labelUList* cells)
 {
     if (nLanes_ != fields.nLanes)
     {
@@ -357,25 +306,30 @@ void Foam::pointValues::update(const sampledFields& fields)
                 updateLane(field);
             }
         }
+        if (!everywhere_)
+        {
+            fill(fields, *cells);
+        }
         return;
     }
 
     former_.clear();
-    for (const sampledFields::field& field : fields.fields)
-    {
-        packCells(field);
-    }
     if (!matching_)
     {
+        for (const sampledFields::field& field : fields.fields)
+        {
+            packCells(field);
+        }
         interpolate(fields);
         return;
     }
 
     packPatches(fields);
-    forBlocks
-    (
-        [&](const auto n, const label first) { sumPoints<n>(first); }
-    );
+    everywhere_ = !cells || constrained_ || !unmatched_.empty() || !begin(fields, *cells);
+    if (everywhere_)
+    {
+        fillAll(fields);
+    }
     coupled_.sum(points_.data(), width_);
     unmatched_.add(points_.data(), width_);
     if (constrained_)

@@ -15,16 +15,6 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::pointValues::scalarsAlone(const sampledFields& fields) const
-{
-    return matching_ && unmatched_.empty() && std::none_of
-    (
-        fields.fields.begin(), fields.fields.end(),
-        [](const sampledFields::field& field) { return field.withGrains && field.vector; }
-    );
-}
-
-
 const Foam::largeVector<Foam::scalar>& Foam::pointValues::change(const sampledFields::field& field)
 {
     const label nCells = mesh_.nCells();
@@ -44,7 +34,7 @@ const Foam::largeVector<Foam::scalar>& Foam::pointValues::change(const sampledFi
     {
         for (const label pointi : points)
         {
-            if (isChanged_.set(pointi))
+            if ((everywhere_ || isFresh_.test(pointi)) && isChanged_.set(pointi))
             {
                 changedPoints_.append(pointi);
             }
@@ -107,6 +97,18 @@ void Foam::pointValues::updateLane(const sampledFields::field& field)
     }
 
     coupled_.sum(points_.data() + field.lane, 1, width_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::pointValues::scalarsAlone(const sampledFields& fields) const
+{
+    return matching_ && unmatched_.empty() && std::none_of
+    (
+        fields.fields.begin(), fields.fields.end(),
+        [](const sampledFields::field& field) { return field.withGrains && field.vector; }
+    );
 }
 
 
