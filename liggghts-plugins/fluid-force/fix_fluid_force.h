@@ -14,6 +14,7 @@ FixStyle(fluid/force,FixFluidForce)
 #define LMP_FIX_FLUID_FORCE_H
 
 #include "fix.h"
+#include "fluid_block.h"
 #include "fluid_force_exchange.h"
 #include "grain-motion/grain_step.h"
 #include "grain_properties.h"
@@ -185,6 +186,7 @@ class FixFluidForce : public Fix {
   void move(const GrainStep &);
 
   template<bool UNIFORM> bool turn(double kick, bool remove);
+  bool turn_block(int first, double kick, FluidBlock<false> &);
 
   // Work of the half kick before, by the forces before push(), and of the half kick to come, by
   // those after it

@@ -15,6 +15,7 @@
 #include "fix_property_atom.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -147,6 +148,34 @@ struct FixFluidForce::Push {
     return wrong;
   }
 
+  // Can a block of grains from this one on be taken at once?
+  template<class Block>
+  bool whole(int first, int n, const int *mask, int groupbit) const
+  {
+    return !UNIFORM && !ADDED_MASS && book.step && !book.remove && Block::may_be_taken(first, n, mask, groupbit, held);
+  }
+
+  // operator() for such a block: its forces are booked, but not added to the others yet. Returns false with nothing
+  // booked if one is no number or far too large.
+  template<class Block>
+  bool take(int i, Block &block) const
+  {
+    const int first = 3 * i;
+    const typename Block::Fluid fluid = {fluids + first, explicits + first, coefficient + i,
+      NON_REACTING ? nonReactingForces + first : NULL, NON_REACTING ? nonReactingCoefficient + i : NULL};
+    if (!block.work_out(fluid, velocities + first, forces + first, rmass + i, kick, LARGEST)) return false;
+
+    double *applied = allApplied + first, *alone = NON_REACTING ? nonReactingAll + first : NULL;
+    Block::book(impulses + first, block.force, half, book.after, book.before ? applied : NULL, alone);
+    if (NON_REACTING)
+      Block::book(nonReactingImpulses + first, block.without, half, book.after, book.before ? alone : NULL, NULL);
+    if (book.after) return true;
+    for (int e = 0; e < Block::N; e++) applied[e] = block.all(e);
+    if (NON_REACTING)
+      for (int e = 0; e < Block::N; e++) alone[e] = block.without[e];
+    return true;
+  }
+
   // former: forces of the former step, less those in `less`
   void add(double *impulse, const double *former, const double *less, const double *force) const
   {
@@ -166,18 +195,27 @@ struct FixFluidForce::Push {
 template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
 bool FixFluidForce::push(double kick, const Booking &book)
 {
+  typedef FluidBlock<NON_REACTING> Block;
   const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, kick, book);
   const int nlocal = atom->nlocal;
+  Block block;
   bool wrong = false;
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (held_.holds(i)) {
-      push.none(i);
+  for (int first = 0; first < nlocal; first += Block::SIZE) {
+    if (push.template whole<Block>(first, nlocal, atom->mask, groupbit) && push.take(first, block)) {
+      double *f = push.forces + 3 * first;
+      for (int e = 0; e < Block::N; e++) f[e] += block.all(e);
       continue;
     }
-    double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
-    wrong |= push(i, sum);
-    for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
+    for (int i = first; i < std::min(first + Block::SIZE, nlocal); i++) {
+      if (!(atom->mask[i] & groupbit)) continue;
+      if (held_.holds(i)) {
+        push.none(i);
+        continue;
+      }
+      double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
+      wrong |= push(i, sum);
+      for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
+    }
   }
   return wrong;
 }
@@ -190,25 +228,55 @@ bool FixFluidForce::push(double kick, const Booking &book)
 template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS, bool JOIN>
 bool FixFluidForce::push_and_move(const GrainStep &given, const Booking &book)
 {
+  typedef FluidBlock<NON_REACTING> Block;
   const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, given.dt, book);
   const GrainStep grains = given;    // a copy: stays in registers
+  Block block;
   bool wrong = false;
-  for (int i = 0; i < grains.n; i++) {
-    const bool held = held_.holds(i);
-    if (!grains.moves(i) || held) {
-      if (held && grains.moves(i)) push.none(i);
-      grains.end<JOIN>(i);
+  for (int first = 0; first < grains.n; first += Block::SIZE) {
+    if (push.template whole<Block>(first, grains.n, grains.mask, grains.groupbit) && push.take(first, block)) {
+      grains.move<JOIN, Block>(first, [&block](int e) { return block.all(e); });
       continue;
     }
-    double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
-    if (push(i, sum)) wrong = true;
-    else if (JOIN) grains.pass(i, sum);
-    else {
-      for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
-      grains.kick(i);
+    for (int i = first; i < std::min(first + Block::SIZE, grains.n); i++) {
+      const bool held = held_.holds(i);
+      if (!grains.moves(i) || held) {
+        if (held && grains.moves(i)) push.none(i);
+        grains.end<JOIN>(i);
+        continue;
+      }
+      double *f = push.forces + 3 * i, sum[3] = {f[0], f[1], f[2]};
+      if (push(i, sum)) wrong = true;
+      else if (JOIN) grains.pass(i, sum);
+      else {
+        for (int dim = 0; dim < 3; dim++) f[dim] = sum[dim];
+        grains.kick(i);
+      }
     }
   }
   return wrong;
+}
+
+/* ----------------------------------------------------------------------
+   Torque of a block of grains from this one on: the same as drag, of spin. Returns false with nothing done if
+   they cannot be taken at once, or if a torque is no number or far too large.
+------------------------------------------------------------------------- */
+
+bool FixFluidForce::turn_block(int i, double kick, FluidBlock<false> &block)
+{
+  constexpr int SIZE = FluidBlock<false>::SIZE, N = FluidBlock<false>::N;
+  if (!block.may_be_taken(i, atom->nlocal, atom->mask, groupbit, held_)) return false;
+  double inertia[SIZE];
+  for (int k = 0; k < SIZE; k++) inertia[k] = 0.4 * atom->rmass[i + k] * atom->radius[i + k] * atom->radius[i + k];
+  double *torque = atom->torque[i], *applied = fluidTorque_->array_atom[i];
+  const FluidBlock<false>::Fluid fluid = {fluidSpin_->array_atom[i], explicitTorque_->array_atom[i],
+    spinCoefficient_->vector_atom + i, NULL, NULL};
+  if (!block.work_out(fluid, atom->omega[i], torque, inertia, kick, LARGEST)) return false;
+  for (int e = 0; e < N; e++) {
+    applied[e] = block.force[e];
+    torque[e] += block.force[e];
+  }
+  return true;
 }
 
 /* ----------------------------------------------------------------------
@@ -226,7 +294,12 @@ bool FixFluidForce::turn(double kick, bool remove)
   const double *explicits = UNIFORM ? NULL : explicitTorque_->array_atom[0];
   bool wrong = false;
 
+  FluidBlock<false> block;
   for (int i = 0; i < nlocal; i++) {
+    if (!UNIFORM && !remove && i % block.SIZE == 0 && turn_block(i, kick, block)) {
+      i += block.SIZE - 1;
+      continue;
+    }
     if (!(atom->mask[i] & groupbit)) continue;
     const int first = 3 * i;
     double *torque = torques + first, *applied = turned + first;

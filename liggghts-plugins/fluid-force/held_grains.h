@@ -9,6 +9,7 @@
 
 #include "pointers.h"
 
+#include <cstring>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -33,6 +34,12 @@ class HeldGrains : protected Pointers {
   void update(bigint first);
 
   bool holds(int i) const { return candidates_[i] && still_held(i); }
+
+  // may it hold one of n grains from this one on?
+  bool may_hold(int first, int n) const
+  {
+    return std::memchr(candidates_.data() + first, 1, n) != NULL;
+  }
 
  private:
 

@@ -70,6 +70,39 @@ struct GrainStep {
     for (int dim = 0; dim < 3; dim++) torque[3 * i + dim] = 0.0;
   }
 
+  // kick() or, JOIN, pass() for the grains of a FluidBlock from `first` on; add(e): the force to be added to number e of it
+  template<bool JOIN, class Block, class Add>
+  void move(int first, const Add &add) const
+  {
+    constexpr int N = Block::N;
+    double *__restrict vs = v + 3 * first, *__restrict xs = x + 3 * first, *__restrict fs = f + 3 * first;
+    double scale[Block::SIZE], scales[N], weights[N];
+    for (int i = 0; i < Block::SIZE; i++) scale[i] = half / rmass[first + i];
+    Block::spread(scale, scales);
+    if (!JOIN)
+      for (int e = 0; e < N; e++) {
+        fs[e] += add(e);
+        vs[e] += scales[e] * fs[e];
+      }
+    else {
+      for (int i = 0; i < Block::SIZE; i++)
+        for (int dim = 0; dim < 3; dim++) weights[3 * i + dim] = rmass[first + i] * gravity[dim];
+      for (int e = 0; e < N; e++) {
+        const double kicked = scales[e] * (fs[e] + add(e)), speed = (vs[e] + kicked) + kicked;
+        vs[e] = speed;
+        xs[e] += dt * speed;
+        fs[e] = weights[e];
+      }
+    }
+    double *twist = torque + 3 * first;
+    if (Block::zero(twist)) return;
+    for (int i = first; i < first + Block::SIZE; i++) {
+      turn(i);
+      if (JOIN) turn(i);
+    }
+    if (JOIN) for (int e = 0; e < N; e++) twist[e] = 0.0;
+  }
+
   // Free grains have no torque: their spin is not even read
   bool twisted(int i) const
   {

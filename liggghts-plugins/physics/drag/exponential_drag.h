@@ -29,13 +29,21 @@ struct ExponentialDrag {
   double slip;    // kg/s, b phi1: multiplies u - v
   double other;   // -, 1 - phi1: the part of the other force that drag takes up
 
+  // below this x the difference 1 - phi1 would lose digits: its series
+  static constexpr double SMALL = 0.05;
+
+  static double series(double x)
+  {
+    return x * (1.0/2 - x * (1.0/6 - x * (1.0/24 - x * (1.0/120 - x * (1.0/720
+      - x * (1.0/5040 - x * (1.0/40320)))))));
+  }
+
   ExponentialDrag(double b, double kick, double mass)
   {
     const double x = b * kick / mass;
     double phi1;
-    if (x < 0.05) {    // series of 1 - phi1: the difference itself would lose digits
-      other = x * (1.0/2 - x * (1.0/6 - x * (1.0/24 - x * (1.0/120 - x * (1.0/720
-        - x * (1.0/5040 - x * (1.0/40320)))))));
+    if (x < SMALL) {
+      other = series(x);
       phi1 = 1.0 - other;
     } else {
       phi1 = -std::expm1(-x) / x;

@@ -32,14 +32,14 @@ public:
       counter_{{uint32_t(grain), uint32_t(uint64_t(grain) >> 32), uint32_t(step), 0u}}
   {}
 
-  // Four independent standard normal numbers (Box and Muller 1958) of draw number n
-  void normals(uint32_t n, double *four) const
+  // Four independent standard normal numbers (Box and Muller 1958) of draw number n, or the first two of them
+  void normals(uint32_t n, double *four, int count = 4) const
   {
     r123::Philox4x32::ctr_type counter = counter_;
     counter[3] = n;
     const r123::Philox4x32::ctr_type bits = r123::Philox4x32()(counter, key_);
 
-    for (int k = 0; k < 4; k += 2) {
+    for (int k = 0; k < count; k += 2) {
       const double radius = std::sqrt(-2.0 * std::log(uniform(bits[k])));
       const double angle = 6.283185307179586 * uniform(bits[k + 1]);
       four[k] = radius * std::cos(angle);

@@ -75,7 +75,10 @@ void Foam::fluidQuantities::setUp()
             if (quantities_[i].ofCell() == ofCell)
             {
                 firstLane_[i] = lane;
-                fields.fields.append(sampledFields::field{nullptr, nullptr, lane});
+                fields.fields.append
+                (
+                    sampledFields::field{nullptr, nullptr, lane, quantities_[i].changesWithGrains()}
+                );
                 lane += quantities_[i].isVector() ? 3 : 1;
             }
         }
@@ -140,6 +143,7 @@ const Foam::labelList& Foam::fluidQuantities::firstLane()
 void Foam::fluidQuantities::update(const bool all)
 {
     firstLane();
+    interpolated_.newFluid = ofCells_.newFluid = all;
 
     label nInterpolated = 0;
     label nOfCells = 0;

@@ -278,9 +278,16 @@ Foam::scalar Foam::grainForces::act
         force.prepare();
     }
     quantities_.update(newFluid);
-    sampler_->update(quantities_.interpolated());
 
     const label n = grains.size();
+    labelList cells(n);
+    forAll(cells, g)
+    {
+        cells[g] = grains.cell(g);
+    }
+    sampler_->sampleIn(cells);
+    sampler_->update(quantities_.interpolated());
+
     ownedGrains::makeRoom(records, n);
     records.setSize(n);
 

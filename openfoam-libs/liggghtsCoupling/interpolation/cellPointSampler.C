@@ -175,7 +175,8 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
     locator_(locator),
     corners_(locator.nFaces()),
     positions_(mesh_.points().begin(), mesh_.points().end()),
-    values_(mesh_)
+    values_(mesh_),
+    sampled_(nullptr)
 {
     const faceList& faces = mesh_.faces();
     const labelList& bases = locator_.tets().bases();
@@ -208,7 +209,8 @@ Foam::cellPointSampler::cellPointSampler(const cellLocator& locator)
 
 void Foam::cellPointSampler::update(const sampledFields& fields)
 {
-    values_.update(fields);
+    values_.update(fields, sampled_);
+    sampled_ = nullptr;
 }
 
 

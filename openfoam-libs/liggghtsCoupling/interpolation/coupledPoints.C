@@ -89,8 +89,9 @@ Foam::coupledPoints::coupledPoints
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::coupledPoints::sum(scalar* values, const label width) const
+void Foam::coupledPoints::sum(scalar* values, const label width, label stride) const
 {
+    stride = (stride ? stride : width);
     List<scalar> arrived;
     if (Pstream::parRun())
     {
@@ -104,7 +105,7 @@ void Foam::coupledPoints::sum(scalar* values, const label width) const
             {
                 std::copy_n
                 (
-                    values + width*needed_[proci][i], width, &send[proci][width*i]
+                    values + stride*needed_[proci][i], width, &send[proci][width*i]
                 );
             }
         }
@@ -124,7 +125,7 @@ void Foam::coupledPoints::sum(scalar* values, const label width) const
         {
             const label m = members_[i];
             const scalar* member =
-                m < nPoints_ ? values + width*m : &arrived[width*(m - nPoints_)];
+                m < nPoints_ ? values + stride*m : &arrived[width*(m - nPoints_)];
             for (label k = 0; k < width; ++k)
             {
                 all[k] += member[k];
@@ -134,10 +135,24 @@ void Foam::coupledPoints::sum(scalar* values, const label width) const
         {
             if (members_[i] < nPoints_)
             {
-                std::copy_n(all.cdata(), width, values + width*members_[i]);
+                std::copy_n(all.cdata(), width, values + stride*members_[i]);
             }
         }
     }
+}
+
+
+Foam::labelList Foam::coupledPoints::own() const
+{
+    DynamicList<label> points;
+    for (const label m : members_)
+    {
+        if (m < nPoints_)
+        {
+            points.append(m);
+        }
+    }
+    return labelList(points);
 }
 
 

@@ -124,54 +124,26 @@ void Foam::pointValues::makeWeights()
 }
 
 
-template<class At>
-void Foam::pointValues::packRow
-(
-    const sampledFields& fields,
-    const At& at,
-    scalar* row
-)
+void Foam::pointValues::packCells(const sampledFields::field& field)
 {
-    for (const sampledFields::field& field : fields.fields)
+    scalar* row = cells_.data() + field.lane;
+    if (field.scalar)
     {
-        if (field.scalar)
+        for (const scalar value : field.scalar->primitiveField())
         {
-            row[field.lane] = at(*field.scalar);
-        }
-        else
-        {
-            const vector& v = at(*field.vector);
-            for (direction k = 0; k < 3; ++k)
-            {
-                row[field.lane + k] = v[k];
-            }
+            *row = value;
+            row += width_;
         }
     }
-}
-
-
-template<Foam::label nBlocks>
-void Foam::pointValues::sumPoints(const label firstBlock)
-{
-    constexpr label n = nBlocks*blockSize;
-    const scalar* cells = cells_.data() + blockSize*firstBlock;
-    scalar* row = points_.data() + blockSize*firstBlock;
-    const label nPoints = mesh_.nPoints();
-    label part = 0;
-    for (label i = 0; i < nPoints; ++i)
+    else
     {
-        scalar sum[n] = {};
-        for (const label end = firstPart_[i + 1]; part < end; ++part)
+        for (const vector& value : field.vector->primitiveField())
         {
-            const scalar weight = weights_[part];
-            const scalar* values = cells + width_*parts_[part];
-            for (label k = 0; k < n; ++k)
-            {
-                sum[k] += weight*values[k];
-            }
+            row[0] = value.x();
+            row[1] = value.y();
+            row[2] = value.z();
+            row += width_;
         }
-        std::copy_n(sum, n, row);
-        row += width_;
     }
 }
 
@@ -278,8 +250,10 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
     mesh_(mesh),
     nLanes_(0),
     width_(0),
+    everywhere_(true),
     matching_(true),
     coupled_(mesh),
+    coupledHere_(coupled_.own()),
     unmatched_(mesh),
     constrained_(false)
 {
@@ -313,7 +287,7 @@ Foam::pointValues::pointValues(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pointValues::update(const sampledFields& fields)
+void Foam::pointValues::update(const sampledFields& fields, const labelUList* cells)
 {
     if (nLanes_ != fields.nLanes)
     {
@@ -323,39 +297,39 @@ void Foam::pointValues::update(const sampledFields& fields)
         points_.assign(width_*mesh_.nPoints(), 0);
     }
 
-    for (const sampledFields::field& field : fields.fields)
+    if (!fields.newFluid && scalarsAlone(fields))
     {
-        scalar* row = cells_.data() + field.lane;
-        if (field.scalar)
+        for (const sampledFields::field& field : fields.fields)
         {
-            for (const scalar value : field.scalar->primitiveField())
+            if (field.withGrains)
             {
-                *row = value;
-                row += width_;
+                updateLane(field);
             }
         }
-        else
+        if (!everywhere_)
         {
-            for (const vector& value : field.vector->primitiveField())
-            {
-                row[0] = value.x();
-                row[1] = value.y();
-                row[2] = value.z();
-                row += width_;
-            }
+            fill(fields, *cells);
         }
+        return;
     }
+
+    former_.clear();
     if (!matching_)
     {
+        for (const sampledFields::field& field : fields.fields)
+        {
+            packCells(field);
+        }
         interpolate(fields);
         return;
     }
 
     packPatches(fields);
-    forBlocks
-    (
-        [&](const auto n, const label first) { sumPoints<n>(first); }
-    );
+    everywhere_ = !cells || constrained_ || !unmatched_.empty() || !begin(fields, *cells);
+    if (everywhere_)
+    {
+        fillAll(fields);
+    }
     coupled_.sum(points_.data(), width_);
     unmatched_.add(points_.data(), width_);
     if (constrained_)

@@ -26,22 +26,29 @@ Foam::schemeSampler::schemeSampler(const word& scheme)
 
 void Foam::schemeSampler::update(const sampledFields& fields)
 {
-    scalarLane_.clear();
-    vectorLane_.clear();
-    scalars_.clear();
-    vectors_.clear();
+    label nScalars = 0;
+    label nVectors = 0;
     for (const sampledFields::field& field : fields.fields)
     {
+        label& i = (field.scalar ? nScalars : nVectors);
+        if (!fields.newFluid && !field.withGrains)
+        {
+            ++i;
+            continue;
+        }
         if (field.scalar)
         {
-            scalarLane_.append(field.lane);
-            scalars_.append(interpolation<scalar>::New(scheme_, *field.scalar));
+            scalarLane_(i) = field.lane;
+            scalars_.resize(max(i + 1, scalars_.size()));
+            scalars_.set(i, interpolation<scalar>::New(scheme_, *field.scalar));
         }
         else
         {
-            vectorLane_.append(field.lane);
-            vectors_.append(interpolation<vector>::New(scheme_, *field.vector));
+            vectorLane_(i) = field.lane;
+            vectors_.resize(max(i + 1, vectors_.size()));
+            vectors_.set(i, interpolation<vector>::New(scheme_, *field.vector));
         }
+        ++i;
     }
 }
 

@@ -213,6 +213,17 @@ Foam::wallLawSampler::wallLawSampler
         }
     }
     findConstrained();
+
+    DynamicList<label> cells(layer_.nCells() + layer_.outerDistances().size());
+    for (label number = 0; number < layer_.nCells(); ++number)
+    {
+        cells.append(layer_.cell(number).cell);
+    }
+    forAll(layer_.outerDistances(), i)
+    {
+        cells.append(layer_.outerCell(i));
+    }
+    values().needAlways(cells);
 }
 
 
@@ -228,6 +239,11 @@ void Foam::wallLawSampler::report(Ostream& os) const
 void Foam::wallLawSampler::update(const sampledFields& fields)
 {
     cellPointSampler::update(fields);
+    if (!fields.newFluid && values().scalarsAlone(fields))
+    {
+        // Velocity, k, epsilon and walls are those of the update before
+        return;
+    }
     choose(fields);
     rows_.resize(width_*nRows_);
 

@@ -76,14 +76,18 @@ Foam::fluidAction Foam::ownedGrains::unpack(const scalar* values) const
 }
 
 
+// States have a few numbers: a loop, since moving memory would be a call
 void Foam::ownedGrains::getAtomState(const label atom, scalar* values) const
 {
     const auto& states = session_.requested().states;
     for (std::size_t i = 0; i < states.size(); ++i)
     {
         const label n = states[i].initial.size();
-        std::copy_n(exchange_.states[i] + n*atom, n, values);
-        values += n;
+        const double* from = exchange_.states[i] + n*atom;
+        for (label k = 0; k < n; ++k)
+        {
+            *values++ = from[k];
+        }
     }
 }
 
@@ -94,8 +98,11 @@ void Foam::ownedGrains::setAtomState(const label atom, const scalar* values) con
     for (std::size_t i = 0; i < states.size(); ++i)
     {
         const label n = states[i].initial.size();
-        std::copy_n(values, n, exchange_.states[i] + n*atom);
-        values += n;
+        double* to = exchange_.states[i] + n*atom;
+        for (label k = 0; k < n; ++k)
+        {
+            to[k] = *values++;
+        }
     }
 }
 

@@ -87,9 +87,9 @@ void Foam::LangevinDispersion::advance
       + grainBatch::get(grains.state(response_), i)
     );
 
-    scalar normals[8];
+    scalar normals[6];
     numbers.normals(1, normals);
-    numbers.normals(2, normals + 4);
+    numbers.normals(2, normals + 4, 2);
 
     grainjet::turbulence::LangevinStep(seen, dt_, responseTime, slip.cdata())
        .advance(normals, fluctuation.data(), mean.data());
