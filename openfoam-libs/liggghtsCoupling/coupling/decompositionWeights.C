@@ -41,8 +41,9 @@ Foam::decompositionWeights::decompositionWeights
     mostCells_(returnReduce(mesh.nCells(), maxOp<label>())),
     sums_(mesh.nCells(), Zero),
     time_(0),
-    secondsPerCell_(0),
-    secondsPerGrain_(0)
+    means_(mesh.nCells(), Zero),
+    cellClock_(),
+    grainClock_()
 {}
 
 
@@ -103,11 +104,8 @@ void Foam::decompositionWeights::addClock
 )
 {
     // All ranks wait for the one with most cells, or most grains
-    secondsPerCell_ += max(fluidSeconds, scalar(0))/mostCells_;
-    if (step.mostGrains > 0)
-    {
-        secondsPerGrain_ += (step.demSeconds + step.couplingSeconds)/step.mostGrains;
-    }
+    cellClock_.add(fluidSeconds, mostCells_);
+    grainClock_.add(step.demSeconds + step.couplingSeconds, step.mostGrains);
 }
 
 
@@ -127,17 +125,21 @@ bool Foam::decompositionWeights::writeFiles() const
         mesh_,
         dimensionedScalar(typeName, dimless, scalar(1))
     );
+    // A time may be written twice
     if (time_ > 0)
     {
-        weights.primitiveFieldRef() += grainCost_/time_*sums_;
+        means_ = sums_/time_;
+        sums_ = 0;
+        time_ = 0;
     }
+    weights.primitiveFieldRef() += grainCost_*means_;
     weights.correctBoundaryConditions();
 
-    if (secondsPerCell_ > 0)
+    if (cellClock_.each() > 0)
     {
         const int precision = Info().precision(3);
         Info<< "liggghtsCoupling: " << typeName << " with grainCost " << grainCost_
-            << "; by the clock of this run it would be " << secondsPerGrain_/secondsPerCell_ << nl << endl;
+            << "; by the clock of this run it would be " << grainClock_.each()/cellClock_.each() << nl << endl;
         Info().precision(precision);
     }
     return weights.write();

@@ -93,8 +93,13 @@ Site site_of(const std::vector<void *> &frames)
     if (file.find("libliggghtsCoupling") != 0 && file.find("plugin.so") == std::string::npos) continue;
     text = text.substr(0, text.find('('));
     // the type that a template returns stands before its name
-    const size_t blank = text.find(' ');
-    if (blank != std::string::npos && text.find('<') > blank) text = text.substr(blank + 1);
+    int depth = 0;
+    size_t begin = 0;
+    for (size_t k = 0; k < text.size(); k++) {
+      depth += (text[k] == '<') - (text[k] == '>');
+      if (text[k] == ' ' && depth == 0) begin = k + 1;
+    }
+    text = text.substr(begin);
     if (text == last || named == 4) continue;
     functions += (named++ ? "<-" : "") + text;
     last = text;

@@ -55,7 +55,7 @@ def _positions(cubes, seed):
 
 
 def write_case(folder, kind, cut, cubes, steps, sub_steps=1, shift=0.0, options=None):
-    """A case of so many cubes, cut alike for fluid and grains.
+    """A case of so many cubes, cut alike for fluid and grains (map xyz: LIGGGHTS numbers its ranks as decomposePar does).
 
     shift: mm by which the grains' box lies beside the mesh, so that grains near the cuts are remote."""
     ranks = cut[0]*cut[1]*cut[2]
@@ -67,7 +67,7 @@ def write_case(folder, kind, cut, cubes, steps, sub_steps=1, shift=0.0, options=
     x = [tuple(a + b for a, b in zip(place, low)) for place in _positions(cubes, 1)]
     box.script(folder, grains=box.grains(x, [(0, 0, 0)]*len(x), DIAMETER),
                box=" ".join(f"{a!r} {a + 1e-3*s!r}" for a, s in zip(low, size)), dt=DEM_STEP,
-               processors="processors {} {} {}".format(*cut), end=f"run {INTERVAL*sub_steps*steps}" if kind == "grains" else "")
+               processors="processors {} {} {} map xyz".format(*cut), end=f"run {INTERVAL*sub_steps*steps}" if kind == "grains" else "")
     if kind == "coupled":
         box.fv_options(folder, **{"couplingInterval": str(INTERVAL), **({"subSteps": str(sub_steps)} if sub_steps > 1 else {}),
                                   **(options or {})})
