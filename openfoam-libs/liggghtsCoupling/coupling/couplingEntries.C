@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "couplingEntries.H"
+#include "decompositionWeights.H"
 #include "demSteps.H"
 #include "dragLaw.H"
 #include "fluidSampler.H"
@@ -106,6 +107,7 @@ entryTable ofTheCoupling(const bool on, const bool adjusted)
                 valueType::WORD_OR_DICTIONARY
             ).means(ofYourOwn)
         },
+        {"decompositionWeights", rule(valueType::DICTIONARY).like("{ grainCost 1; }")},
         {"U", rule(valueType::WORD).means("the name of the velocity").like("U")},
         {"p", rule(valueType::WORD).means("the name of the pressure").like("p")},
         {"log", rule(valueType::FILE).means("the log file of LIGGGHTS").like("log.liggghts")}
@@ -240,6 +242,7 @@ void Foam::couplingEntries::checkKnown
         turbulentDispersion::checkEntries(coeffs);
         voidFractionEquations::checkEntries(coeffs);
         grainFilter::checkCoupling(coeffs);
+        decompositionWeights::checkEntries(coeffs);
     }
 }
 

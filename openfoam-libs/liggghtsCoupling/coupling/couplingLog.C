@@ -184,13 +184,12 @@ Foam::couplingLog::couplingLog
     startTime_(0),
     previousSeconds_(0),
     ownSeconds_(0),
+    fluidSeconds_(0),
     sumToGrains_(Zero),
     sumToFluid_(Zero),
     owedBefore_(Zero),
     sumExchanged_(0),
     latestToGrains_(Zero),
-    toFluid_(Zero),
-    owed_(Zero),
     joule_(energy ? new energyBalance(full, heat) : nullptr)
 {
     if (Pstream::master())
@@ -204,6 +203,7 @@ Foam::couplingLog::couplingLog
 
 void Foam::couplingLog::closeFluidStep
 (
+    step& values,
     grainMomentum& momentum,
     const voidFractionEquations* equations,
     const energyExchange* energy,
@@ -213,17 +213,17 @@ void Foam::couplingLog::closeFluidStep
 {
     if (twoWay_)
     {
-        toFluid_ = momentum.close(equations ? equations->stress() : vectorField::null());
-        owed_ = momentum.owed();
+        values.toFluid = momentum.close(equations ? equations->stress() : vectorField::null());
+        values.owed = momentum.owed();
         if (equations)
         {
-            toFluid_ += equations->received();
-            owed_ += equations->owed();
+            values.toFluid += equations->received();
+            values.owed += equations->owed();
         }
     }
     if (energy)
     {
-        joule_->closeFluidStep(*energy, heat, gas);
+        energyBalance::closeFluidStep(values, *energy, heat, gas);
     }
 }
 
@@ -244,44 +244,25 @@ void Foam::couplingLog::write(const step& values)
     // Shares of the wall clock since the previous line
     const scalar all = max(now - previousSeconds_, VSMALL);
     const scalar couplingSeconds = values.couplingSeconds + ownSeconds_;
-    const scalar fluidSeconds = all - values.demSeconds - couplingSeconds;
+    fluidSeconds_ = all - values.demSeconds - couplingSeconds;
     previousSeconds_ = now;
 
     // For the eye, whatever precision the case writes its fields with
     const int precision = Info().precision(4);
 
-    const scalar maxSolidFraction =
-        returnReduce(values.cells.maxSolidFraction, maxOp<scalar>());
-    const scalar volumeCut = returnReduce(values.cells.volumeCut, sumOp<scalar>());
-    const scalar fluidVolume = returnReduce(values.fluidVolume, sumOp<scalar>());
+    const scalar maxSolidFraction = values.cells.maxSolidFraction;
     warn(maxSolidFraction);
 
-    // As scalars, which count whole numbers up to 9e15
-    const vector removed = returnReduce
-    (
-        vector(values.grains.leftBox, values.grains.deleted, values.searches),
-        sumOp<vector>()
-    );
-    leftBox_ += removed[0];
-    deleted_ += removed[1];
+    leftBox_ += values.grains.leftBox;
+    deleted_ += values.grains.deleted;
     const scalar unaccounted =
         values.counts.inserted - leftBox_ - deleted_ - values.counts.present;
     miss(unaccounted);
 
-    const vector sums = returnReduce
-    (
-        vector(values.slips, values.grains.remote, values.bytes),
-        sumOp<vector>()
-    );
-    const label remote = sums[1];
-    const scalar slipSum = returnReduce(values.slipSum, sumOp<scalar>());
-    const scalar slip = sums[0] > 0 ? slipSum/sums[0] : 0;
-
-    const vector toGrains = returnReduce(values.received.reacting, sumOp<vector>());
-    const vector nonReacting =
-        returnReduce(values.received.nonReacting, sumOp<vector>());
-    const vector toFluid = returnReduce(toFluid_, sumOp<vector>());
-    const vector owed = returnReduce(owed_, sumOp<vector>());
+    const scalar slip = values.meanSlip();
+    const vector& toGrains = values.received.reacting;
+    const vector& toFluid = values.toFluid;
+    const vector& owed = values.owed;
     if (first)
     {
         owedBefore_ = owed;
@@ -300,7 +281,7 @@ void Foam::couplingLog::write(const step& values)
 
     if (joule_)
     {
-        joule_->add(values.received.work, values.received.heat, first);
+        joule_->add(values, first);
     }
 
     const scalar done = time.value() - startTime_;
@@ -313,14 +294,14 @@ void Foam::couplingLog::write(const step& values)
         << ", left the box " << label(leftBox_)
         << ", deleted " << label(deleted_)
         << ", outside the mesh " << values.grains.outsideMesh
-        << ", remote " << remote << "), contacts ";
+        << ", remote " << values.grains.remote << "), contacts ";
     printProvided(values.counts.contacts);
     Info<< ", max solid fraction " << maxSolidFraction
         << ", slip " << slip
         << " m/s, ";
     if (subSteps_)
     {
-        Info<< "change of the fluid " << values.fluidChange << " m/s, ";
+        Info<< "change of the fluid " << values.fluidChange() << " m/s, ";
     }
     Info<< "Rayleigh ";
     printProvided(values.counts.rayleigh);
@@ -332,9 +313,9 @@ void Foam::couplingLog::write(const step& values)
     }
     else if (full_)
     {
-        Info<< ", fluid volume " << fluidVolume << " m3";
+        Info<< ", fluid volume " << values.fluidVolume << " m3";
     }
-    Info<< ", time fluid " << label(100*fluidSeconds/all + 0.5)
+    Info<< ", time fluid " << label(100*fluidSeconds_/all + 0.5)
         << " % DEM " << label(100*values.demSeconds/all + 0.5)
         << " % coupling " << label(100*couplingSeconds/all + 0.5)
         << " %, still ";
@@ -349,10 +330,10 @@ void Foam::couplingLog::write(const step& values)
     }
     Info<< nl;
 
-    if (volumeCut > 0)
+    if (values.cells.volumeCut > 0)
     {
         Info<< "liggghtsCoupling: void fraction at its minimum; solid volume cut "
-            << volumeCut << " m3" << nl;
+            << values.cells.volumeCut << " m3" << nl;
     }
     Info().precision(precision);
 
@@ -362,19 +343,19 @@ void Foam::couplingLog::write(const step& values)
         os  << time.value() << tab << values.counts.inserted
             << tab << values.counts.present << tab << leftBox_ << tab << deleted_
             << tab << unaccounted << tab << values.grains.outsideMesh << tab << values.counts.contacts
-            << tab << maxSolidFraction << tab << volumeCut
+            << tab << maxSolidFraction << tab << values.cells.volumeCut
             << tab << slip << tab << values.counts.rayleigh;
-        for (const vector& v : {toGrains, nonReacting, toFluid, owed})
+        for (const vector& v : {toGrains, values.received.nonReacting, toFluid, owed})
         {
             os  << tab << v.x() << tab << v.y() << tab << v.z();
         }
-        os  << tab << imbalance << tab << fluidSeconds
+        os  << tab << imbalance << tab << fluidSeconds_
             << tab << values.demSeconds << tab << couplingSeconds
-            << tab << remote << tab << digits(sums[2]).c_str()
-            << tab << digits(removed[2]).c_str();
+            << tab << values.grains.remote << tab << digits(values.bytes).c_str()
+            << tab << digits(values.searches).c_str();
         if (subSteps_)
         {
-            os  << tab << values.fluidChange;
+            os  << tab << values.fluidChange();
         }
         if (joule_)
         {
@@ -382,7 +363,7 @@ void Foam::couplingLog::write(const step& values)
         }
         else if (full_)
         {
-            os  << tab << fluidVolume;
+            os  << tab << values.fluidVolume;
         }
         os  << endl;
     }

@@ -10,6 +10,7 @@
 #include "couplingEntries.H"
 #include "grainWatcher.H"
 #include "noFloatTraps.H"
+#include "sessionWarnings.H"
 #include "host/grainjet_version.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -91,7 +92,7 @@ void Foam::couplingPipeline::start()
     {
         grains_->clearOwners();
         grains_->locate([](const label, const UList<grainData>&){});
-        checks.anyInside(grains_->numbers().outsideMesh);
+        checks.anyInside(returnReduce(grains_->numbers().outsideMesh, sumOp<label>()));
     }
 }
 
@@ -126,11 +127,22 @@ void Foam::couplingPipeline::closeFluidStep(couplingLog::step& step)
     {
         heat_->close();
     }
-    log_.closeFluidStep(momentum_.momentum(), equations_.get(), energy_.get(), heat_.get(), gas_);
+    log_.closeFluidStep(step, momentum_.momentum(), equations_.get(), energy_.get(), heat_.get(), gas_);
     if (steps_.subSteps() > 1)
     {
-        step.fluidChange = momentum_.fluidChange();
+        momentum_.addFluidChange(step.change, step.changeWeight);
     }
+}
+
+
+void Foam::couplingPipeline::warn(const couplingLog::step& step)
+{
+    if (step.warnings > 0)
+    {
+        sessionWarnings::gather();
+    }
+    inflow_.warn(step.outletCourant);
+    momentum_.warnOfStiffDrag(step.stiffness);
 }
 
 
@@ -150,6 +162,10 @@ void Foam::couplingPipeline::fly
     const bool moved = first && debts_ && debts_->take(*grains_, averages_, fluid_);
     const bool heatMoved = first && heatDebts_ && heatDebts_->take(*grains_, averages_, fluid_);
     step.add(averages_.update(*grains_), subSteps);
+    if (weights_)
+    {
+        weights_->add(*grains_, fluid_.interval());
+    }
     if (moved)
     {
         debts_->give(*grains_, averages_);
@@ -177,7 +193,6 @@ void Foam::couplingPipeline::fly
         const noFloatTraps asInTheStockProgram;
         session_.advance(n);
     }
-    // It ends with a reduction, so that waiting for the slowest rank is time of DEM
     step.demSeconds += clock.elapsedTime() - before;
     if (subStep + 1 < subSteps)
     {
@@ -248,6 +263,7 @@ Foam::couplingPipeline::couplingPipeline
       : nullptr
     ),
     inflow_(fluid),
+    weights_(decompositionWeights::New(dict, fluid.mesh())),
     session_
     (
         fluid.mesh().time().globalPath(),
@@ -309,7 +325,7 @@ void Foam::couplingPipeline::advance()
 {
     const clockTime clock;
     couplingLog::step step;
-    inflow_.check();
+    step.outletCourant = inflow_.largest();
 
     scalar previous;
     const label n = steps_.next(session_, previous);
@@ -325,11 +341,19 @@ void Foam::couplingPipeline::advance()
         averages_, equations_ ? equations_->feltStress()() : vectorField::null(), energy_.get(), heat_.get()
     );
 
-    step.counts = session_.counts();
+    step.stiffness = momentum_.stiffness();
+    step.warnings = sessionWarnings::anyWaiting();
+    step.counts = session_.countsHere();
     step.searches = locator_.searches();
     step.bytes = grains_->bytes() + averages_.shares().bytes();
+    step.reduce();
+    warn(step);
     step.couplingSeconds = clock.elapsedTime() - step.demSeconds;
     log_.write(step);
+    if (weights_)
+    {
+        weights_->addClock(step, log_.fluidSeconds());
+    }
 }
 
 

@@ -5,42 +5,38 @@
 \*---------------------------------------------------------------------------*/
 
 #include "energyBalance.H"
-#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::energyBalance::closeFluidStep
 (
+    couplingStep& values,
     const energyExchange& energy,
     const heatExchange* heat,
     const compressibleVoidFraction* gas
 )
 {
-    toFluid_ = energy.received();
-    owed_ = energy.owed();
+    values.energyToFluid = energy.received();
+    values.energyOwed = energy.owed();
     if (heat)
     {
-        toFluid_ += heat->received();
-        owed_ += heat->owed();
+        values.energyToFluid += heat->received();
+        values.energyOwed += heat->owed();
     }
     if (gas)
     {
-        toFluid_ += gas->receivedEnergy();
-        owed_ += gas->owedEnergy();
-        mass_ = gas->mass();
+        values.energyToFluid += gas->receivedEnergy();
+        values.energyOwed += gas->owedEnergy();
+        values.gasMass = gas->mass();
     }
 }
 
 
-void Foam::energyBalance::add(const scalar work, const scalar heat, const bool first)
+void Foam::energyBalance::add(const couplingStep& values, const bool first)
 {
-    const vector sums = returnReduce
-    (
-        vector(work + heat, toFluid_, owed_), sumOp<vector>()
-    );
-    toFluid_ = sums[1];
-    owed_ = sums[2];
-    mass_ = returnReduce(mass_, sumOp<scalar>());
+    toFluid_ = values.energyToFluid;
+    owed_ = values.energyOwed;
+    mass_ = values.gasMass;
     if (first)
     {
         owedBefore_ = owed_;
@@ -50,8 +46,8 @@ void Foam::energyBalance::add(const scalar work, const scalar heat, const bool f
     sumToGrains_ += latestToGrains_;
     sumExchanged_ += mag(latestToGrains_);
     sumToFluid_ += toFluid_;
-    latestToGrains_ = sums[0];
-    latestHeat_ = returnReduce(heat, sumOp<scalar>());
+    latestToGrains_ = values.received.work + values.received.heat;
+    latestHeat_ = values.received.heat;
     imbalance_ =
         sumExchanged_ > 0
       ? mag(sumToGrains_ + sumToFluid_ + owed_ - owedBefore_)/sumExchanged_

@@ -11,19 +11,16 @@
 
 #include <sstream>
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::outletInflow::check()
+Foam::List<Foam::outletInflow::inflow> Foam::outletInflow::inflows() const
 {
-    if (warned_)
-    {
-        return;
-    }
     const fvMesh& mesh = fluid_.mesh();
     const scalarField& V = mesh.V();
     const scalar dt = mesh.time().deltaTValue();
     const volVectorField& U = fluid_.U();
     tmp<volScalarField> trho;
+    List<inflow> result(U.boundaryField().size());
 
     forAll(U.boundaryField(), patchi)
     {
@@ -38,19 +35,56 @@ void Foam::outletInflow::check()
         }
         const scalarField& flux = fluid_.phi().boundaryField()[patchi];
         const labelUList& cells = Ub.patch().faceCells();
-        scalar courant = 0, speed = 0;
+        inflow& most = result[patchi];
         forAll(flux, facei)
         {
             const label celli = cells[facei];
-            const scalar inflow = -flux[facei]/(trho.valid() ? trho()[celli] : 1);
-            courant = max(courant, inflow*dt/V[celli]);
-            speed = max(speed, inflow/Ub.patch().magSf()[facei]);
+            const scalar volume = -flux[facei]/(trho.valid() ? trho()[celli] : 1);
+            most.courant = max(most.courant, volume*dt/V[celli]);
+            most.speed = max(most.speed, volume/Ub.patch().magSf()[facei]);
         }
-        reduce(courant, maxOp<scalar>());
-        reduce(speed, maxOp<scalar>());
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::outletInflow::largest() const
+{
+    scalar courant = 0;
+    if (!warned_)
+    {
+        for (const inflow& i : inflows())
+        {
+            courant = max(courant, i.courant);
+        }
+    }
+    return courant;
+}
+
+
+void Foam::outletInflow::warn(const scalar largest)
+{
+    if (!(largest > most_))
+    {
+        return;
+    }
+    warned_ = true;
+    const volVectorField& U = fluid_.U();
+    const List<inflow> here(inflows());
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+        // Patches between ranks come last and are not the same on all
+        if (Ub.patch().coupled())
+        {
+            continue;
+        }
+        const scalar courant = returnReduce(here[patchi].courant, maxOp<scalar>());
+        const scalar speed = returnReduce(here[patchi].speed, maxOp<scalar>());
         if (courant > most_)
         {
-            warned_ = true;
             std::ostringstream figures;
             figures.precision(3);
             figures << speed << " m/s and a Courant number of " << courant;

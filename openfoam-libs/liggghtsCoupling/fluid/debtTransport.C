@@ -150,24 +150,13 @@ Foam::debtTransport::debtTransport(const fields& debts)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::debtTransport::retire
+void Foam::debtTransport::leave
 (
     const ownedGrains& grains,
     cellAverages& averages,
-    const carrierFluid& fluid,
     const fields& debts
 )
 {
-    // Before the first interval there are grains, but no weights, and none is removed
-    if
-    (
-        !returnReduce(grains.removed().size(), sumOp<label>())
-     || !stiff(grains, averages, fluid)
-    )
-    {
-        return;
-    }
-
     List<debt> ofGrains;
     divide(debts, ofGrains, grains, averages);
     scalarList removed(weight_.size(), Zero);
@@ -193,6 +182,23 @@ void Foam::debtTransport::retire
 }
 
 
+void Foam::debtTransport::retire
+(
+    const ownedGrains& grains,
+    cellAverages& averages,
+    const carrierFluid& fluid,
+    const fields& debts
+)
+{
+    // Most often none was removed. Then nothing is changed, also by a filter
+    bool removed = returnReduce(!grains.removed().empty(), orOp<bool>());
+    if (removed && stiff(grains, averages, fluid, removed))
+    {
+        leave(grains, averages, debts);
+    }
+}
+
+
 bool Foam::debtTransport::take
 (
     const ownedGrains& grains,
@@ -200,15 +206,24 @@ bool Foam::debtTransport::take
     const carrierFluid& fluid
 )
 {
-    // As when the run was continued here, without the grains that were removed
-    retire(grains, averages, fluid, debts_);
-    for (const label g : grains.removed())
+    bool removed = false;
+    bool any = stiff(grains, averages, fluid, removed);
+    if (removed)
     {
-        weight_[g] = 0;
+        // As when the run was continued here, without the grains that were removed
+        if (any)
+        {
+            leave(grains, averages, debts_);
+        }
+        for (const label g : grains.removed())
+        {
+            weight_[g] = 0;
+        }
+        any = stiff(grains, averages, fluid, removed);
     }
 
     carried_.clear();
-    if (!stiff(grains, averages, fluid))
+    if (!any)
     {
         return false;
     }

@@ -66,7 +66,7 @@ Foam::tmp<Foam::scalarField> Foam::debtTransport::inertia(const carrierFluid& fl
 }
 
 
-bool Foam::debtTransport::isStiff
+bool Foam::debtTransport::isStiffHere
 (
     const labelUList& cells,
     const scalarField& inertia,
@@ -83,7 +83,7 @@ bool Foam::debtTransport::isStiff
             sums_[i] = 0;
         }
     }
-    return returnReduce(any, orOp<bool>());
+    return any;
 }
 
 
@@ -91,24 +91,31 @@ bool Foam::debtTransport::stiff
 (
     const ownedGrains& grains,
     cellAverages& averages,
-    const carrierFluid& fluid
+    const carrierFluid& fluid,
+    bool& removed
 )
 {
-    if (!returnReduce(weight_.size(), sumOp<label>()))
-    {
-        return false;
-    }
     sumUp(weight_, sums_, grains, averages);
 
     // A filter makes no sum per volume larger. Debts of heat are always moved
     const tmp<scalarField> tinertia(inertia(fluid));
-    const bool any = isStiff(averages.cells().cells(), tinertia(), 0) || debts_.ofHeat();
+    const bool here = isStiffHere(averages.cells().cells(), tinertia(), 0) || debts_.ofHeat();
+
+    // Of all ranks together: is anything stiff, has any of them grains, were any removed?
+    enum { STIFF = 1, GRAINS = 2, REMOVED = 4 };
+    unsigned int found =
+        (here ? STIFF : 0) | (weight_.empty() ? 0 : GRAINS) | (grains.removed().empty() ? 0 : REMOVED);
+    reduce(found, bitOrOp<unsigned int>());
+    removed = found & REMOVED;
+
+    const bool any = (found & STIFF) && (found & GRAINS);
     if (!any || !averages.filter())
     {
         return any;
     }
     averages.filter()->spread(averages.cells(), sums_);
-    return isStiff(averages.cells().cells(), tinertia(), negligible_) || debts_.ofHeat();
+    const bool spread = isStiffHere(averages.cells().cells(), tinertia(), negligible_);
+    return returnReduce(spread, orOp<bool>()) || debts_.ofHeat();
 }
 
 

@@ -25,18 +25,18 @@ void Foam::fieldChange::begin
 }
 
 
-Foam::scalar Foam::fieldChange::ofStep(const volVectorField& U) const
+void Foam::fieldChange::addStep
+(
+    const volVectorField& U,
+    scalar& change,
+    scalar& weights
+) const
 {
-    scalar change = 0;
-    scalar weights = 0;
     for (const content& c : contents_)
     {
         change += c.weight*mag(U[c.cell] - c.velocity);
         weights += c.weight;
     }
-    reduce(change, sumOp<scalar>());
-    reduce(weights, sumOp<scalar>());
-    return weights > 0 ? change/weights : 0;
 }
 
 

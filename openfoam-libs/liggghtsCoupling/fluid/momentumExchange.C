@@ -119,23 +119,27 @@ void Foam::momentumExchange::setHeat
 }
 
 
-void Foam::momentumExchange::warnOfStiffDrag(const scalarField& slope)
+void Foam::momentumExchange::setStiffness(const scalarField& slope)
 {
     const fvMesh& mesh = fluid_.mesh();
     const tmp<volScalarField> trho(fluid_.rho());
     const scalarField& rho = trho().primitiveField();
-    scalar stiffness = 0;
+    stiffness_ = 0;
     forAll(slope, i)
     {
         const label celli = occupied_.cells()[i];
-        stiffness = max(stiffness, slope[i]*mesh.time().deltaTValue()/(rho[celli]*mesh.V()[celli]));
+        stiffness_ = max(stiffness_, slope[i]*mesh.time().deltaTValue()/(rho[celli]*mesh.V()[celli]));
     }
-    reduce(stiffness, maxOp<scalar>());
+}
+
+
+void Foam::momentumExchange::warnOfStiffDrag(const scalar stiffness)
+{
     if (!warnedOfDrag_ && twoWay_ && stiffness > 1)
     {
         warnedOfDrag_ = true;
         WarningInFunction
-            << "subSteps " << fluid_.subSteps() << ", time " << mesh.time().timeName()
+            << "subSteps " << fluid_.subSteps() << ", time " << fluid_.mesh().time().timeName()
             << ": within the fluid step the drag of grains in a cell would change its fluid "
             << stiffness << " times as much as their slip (K dt/(rho V)). They should not fly through"
             << " a fluid that stays as it is for so long. Shorten deltaT, with subSteps, if this"
@@ -159,6 +163,7 @@ Foam::momentumExchange::momentumExchange
     momentum_(grainMomentum::New(dict, fluid)),
     occupied_(fluid.mesh().nCells()),
     warnedOfDrag_(false),
+    stiffness_(0),
     responseTime_(fluid.mesh().nCells(), Zero),
     dragCoefficient_
     (
@@ -317,7 +322,7 @@ void Foam::momentumExchange::set
     }
     if (fluid_.subSteps() > 1)
     {
-        warnOfStiffDrag(slope);
+        setStiffness(slope);
         change_.begin(fluid_.U(), cells, dragCoefficient_);
     }
 }

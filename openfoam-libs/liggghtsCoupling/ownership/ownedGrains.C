@@ -124,7 +124,6 @@ Foam::ownedGrains::ownedGrains
     nState_(0),
     nExtras_(0),
     nAction_(0),
-    outsideMesh_(0),
     leftBox_(0),
     deleted_(0),
     impulseBytes_(0)

@@ -44,13 +44,18 @@ Foam::List<Type> Foam::ownedGrains::heldFor
         }
     }
 
+    labelList asked(nProcs);
+    forAll(numbers, proci)
+    {
+        asked[proci] = numbers[proci].size();
+    }
     List<DynamicList<Type>> answers(nProcs);
     impulseBytes_ += ownerRoute::exchange<label>
     (
         numbers,
-        [&](const label proci, const UList<label>& asked)
+        [&](const label proci, const UList<label>& incoming)
         {
-            for (const label number : asked)
+            for (const label number : incoming)
             {
                 answers[proci].append(former[number]);
                 taken.set(number);
@@ -60,6 +65,7 @@ Foam::List<Type> Foam::ownedGrains::heldFor
     impulseBytes_ += ownerRoute::exchange<Type>
     (
         answers,
+        asked,
         [&](const label proci, const UList<Type>& values)
         {
             forAll(values, k)

@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ownedGrains.H"
-#include "PstreamReduceOps.H"
+#include "clockTime.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -207,6 +207,7 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
     }
     removals.clearRemoved(&removals);
 
+    const clockTime clock;
     impulseBytes_ += ownerRoute::exchange<Parcel>
     (
         parcels,
@@ -218,6 +219,7 @@ Foam::ownedGrains::received Foam::ownedGrains::receiveParcels
             }
         }
     );
+    all.secondsWaited = clock.elapsedTime();
     return all;
 }
 

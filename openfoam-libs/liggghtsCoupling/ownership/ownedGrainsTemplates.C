@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "ownedGrains.H"
-#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -195,7 +194,6 @@ void Foam::ownedGrains::locate(const Found& found)
             outsideAtoms_.append(sentAtoms_[i]);
         }
     }
-    outsideMesh_ = returnReduce(outsideAtoms_.size(), sumOp<label>());
 }
 
 

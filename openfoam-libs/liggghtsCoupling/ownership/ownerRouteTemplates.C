@@ -7,12 +7,74 @@
 #include "ownerRoute.H"
 #include "PstreamReduceOps.H"
 
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class T>
+Foam::labelList Foam::ownerRoute::sizes
+(
+    const List<DynamicList<T>>& lists,
+    const label width
+)
+{
+    labelList result(lists.size());
+    forAll(lists, proci)
+    {
+        result[proci] = width*lists[proci].size();
+    }
+    return result;
+}
+
+
+template<class Item>
+Foam::labelList Foam::ownerRoute::announce(const List<DynamicList<Item>>& asks)
+{
+    // The last bit tells every rank whether this one asks any
+    const labelList own(sizes(asks));
+    const bool asking = std::any_of(own.begin(), own.end(), [](const label n){ return n > 0; });
+    labelList sent(own.size());
+    forAll(own, proci)
+    {
+        sent[proci] = 2*own[proci] + asking;
+    }
+    labelList arriving(own.size());
+    Pstream::allToAll(sent, arriving);
+
+    bool any = false;
+    for (label& n : arriving)
+    {
+        any = any || n%2;
+        n /= 2;
+    }
+    return any ? arriving : labelList();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class T, class Take>
 std::int64_t Foam::ownerRoute::exchange
 (
     const List<DynamicList<T>>& lists,
+    const Take& take
+)
+{
+    if (!Pstream::parRun())
+    {
+        return 0;
+    }
+    labelList arriving(lists.size());
+    Pstream::allToAll(sizes(lists), arriving);
+    return exchange<T>(lists, arriving, take);
+}
+
+
+template<class T, class Take>
+std::int64_t Foam::ownerRoute::exchange
+(
+    const List<DynamicList<T>>& lists,
+    const labelUList& arriving,
     const Take& take
 )
 {
@@ -29,7 +91,7 @@ std::int64_t Foam::ownerRoute::exchange
     }
 
     List<DynamicList<T>> received(Pstream::nProcs());
-    Pstream::exchange<DynamicList<T>, T>(lists, received);
+    Pstream::exchange<DynamicList<T>, T>(lists, arriving, received);
 
     forAll(received, proci)
     {
@@ -130,7 +192,8 @@ Foam::labelList Foam::ownerRoute::establish
         }
     }
 
-    while (returnReduce(pending.size(), sumOp<label>()))
+    // What replies of a round leave for the next one is known only when all ranks have answered
+    do
     {
         List<DynamicList<Item>> asks(nProcs);
         List<DynamicList<label>> askedItems(nProcs);
@@ -140,11 +203,17 @@ Foam::labelList Foam::ownerRoute::establish
             askedItems[asked[i]].append(i);
         }
         pending.clear();
+        const labelList arriving(announce(asks));
+        if (arriving.empty())
+        {
+            break;
+        }
 
         List<DynamicList<reply>> replies(nProcs);
         bytes_ += exchange<Item>
         (
             asks,
+            arriving,
             [&](const label proci, const UList<Item>& incoming)
             {
                 for (const Item& item : incoming)
@@ -161,6 +230,7 @@ Foam::labelList Foam::ownerRoute::establish
         bytes_ += exchange<reply>
         (
             replies,
+            sizes(askedItems),
             [&](const label proci, const UList<reply>& answers)
             {
                 forAll(answers, k)
@@ -181,7 +251,7 @@ Foam::labelList Foam::ownerRoute::establish
                 }
             }
         );
-    }
+    } while (returnReduce(!pending.empty(), orOp<bool>()));
 
     return owner;
 }
@@ -202,6 +272,7 @@ void Foam::ownerRoute::forward(const Value& value, const Take& take)
     bytes_ += exchange<T>
     (
         lists,
+        sizes(received_),
         [&](const label proci, const UList<T>& values)
         {
             forAll(values, k)
@@ -237,6 +308,7 @@ void Foam::ownerRoute::follow
     bytes_ += exchange<scalar>
     (
         lists,
+        sizes(to, width),
         [&](const label proci, const UList<scalar>& values)
         {
             forAll(to[proci], k)

@@ -288,7 +288,6 @@ void Foam::liggghtsSession::advance(const int n)
         }
     }
     lmp_->update->integrate->run(n);
-    sessionWarnings::gather();
 }
 
 
@@ -379,14 +378,20 @@ Foam::liggghtsSession::simulationBox Foam::liggghtsSession::box() const
 
 Foam::liggghtsSession::grainCounts Foam::liggghtsSession::counts() const
 {
-    double local = lmp_->atom->nlocal;
-    grainCounts result;
+    grainCounts result(countsHere());
+    const double local = result.present;
     MPI_Allreduce(&local, &result.present, 1, MPI_DOUBLE, MPI_SUM, lmp_->world);
+    return result;
+}
 
+
+Foam::liggghtsSession::grainCounts Foam::liggghtsSession::countsHere() const
+{
+    grainCounts result;
+    result.present = lmp_->atom->nlocal;
     result.inserted = insertedOffset_ + insertedByFixes();
     result.contacts = contact_ ? contact_->compute_vector(0) : -1;
     result.rayleigh = contact_ ? contact_->compute_vector(3) : -1;
-
     return result;
 }
 

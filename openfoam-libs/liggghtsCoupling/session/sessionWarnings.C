@@ -125,6 +125,19 @@ void Foam::sessionWarnings::gather()
 }
 
 
+bool Foam::sessionWarnings::anyWaiting()
+{
+    for (const auto& item : warnings_)
+    {
+        if (!item.second.printed)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 std::string Foam::sessionWarnings::waiting()
 {
     std::string lines;

@@ -11,10 +11,13 @@
    At MPI_Finalize, or at its end where it does not start MPI, each rank writes <GRAINJET_MPI_COUNTS>.<rank>, a line per kind of call:
 
      message <calls> <bytes> <site> <ranks that they went to, joined by commas>
+     tree <calls> <bytes> <site> <the same>     messages of OpenFOAM's own reductions, from rank to rank
+     up <calls> <bytes> <site>                  those of them to a lower rank: a rank other than 0 sends one for each
+                                                value that is gathered
      <name of the collective> <calls> <bytes of this rank> <site>
      memory <resident memory without that of files, kB>
 
-   site: the function of Grainjet's libraries nearest to the call, or the library that calls.
+   site: the functions of Grainjet's libraries that lead to the call, innermost first, or the library that calls.
 
    Numbers of calls do not depend on how fast the machine is, so that more ranks than cores tell what a cluster
    would see. Probes and tests for messages do, and are not counted.                                  */
@@ -31,14 +34,15 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
 struct Count { long calls = 0; double bytes = 0; };
 struct Messages : Count { std::set<int> ranks; };
 
-std::map<std::string, Messages> messages;    // by site
-std::map<std::string, Count> collectives;    // "name site"
+std::map<std::string, Messages> messages;    // by "message site" or "tree site"
+std::map<std::string, Count> collectives;    // by "name site"
 
 double bytes(int count, MPI_Datatype type)
 {
@@ -66,54 +70,80 @@ const char *file_of(const Dl_info &info)
   return slash ? slash + 1 : info.dli_fname ? info.dli_fname : "?";
 }
 
-// The function of Grainjet nearest to the call, or the library that calls. "tree:" in front where OpenFOAM passes
-// something from rank to rank for all of them (reduce, gather, scatter)
-std::string site()
+// openfoam: does OpenFOAM's own communication make the call?
+struct Site { std::string name; bool openfoam = false; };
+
+Site site_of(const std::vector<void *> &frames)
 {
-  void *frames[48];
-  const int n = backtrace(frames, 48);
-  std::string caller;
-  bool tree = false;
-  for (int i = 0; i < n; i++) {
+  Site site;
+  std::string library, functions, last;
+  int named = 0;
+  for (void *frame : frames) {
     Dl_info info;
-    if (!dladdr(frames[i], &info)) continue;
+    if (!dladdr(frame, &info)) continue;
     const std::string file = file_of(info);
     if (file.find("libcountmpi") == 0) continue;
-    if (caller.empty()) caller = file;
+    if (library.empty()) library = file;
     if (!info.dli_sname) continue;
     int status;
     char *name = abi::__cxa_demangle(info.dli_sname, nullptr, nullptr, &status);
     std::string text = status == 0 ? name : info.dli_sname;
     free(name);
 
-    bool passes = false;
-    for (const char *part : {"Foam::reduce", "Foam::returnReduce", "Foam::sumReduce", "Pstream::gather", "Pstream::scatter",
-        "Pstream::combineGather", "Pstream::combineScatter", "Pstream::listCombine", "Pstream::mapCombine", "Foam::gSum", "Foam::gMax",
-        "Foam::gMin", "Foam::gAverage"})
-      passes |= text.find(part) != std::string::npos;
-    tree |= passes;
-    if (passes || (file.find("libliggghtsCoupling") != 0 && file.find("plugin.so") == std::string::npos)) continue;
-    caller = text.substr(0, text.find('('));
-    break;
+    if (file.find("libliggghtsCoupling") != 0 && file.find("plugin.so") == std::string::npos) continue;
+    text = text.substr(0, text.find('('));
+    // the type that a template returns stands before its name
+    int depth = 0;
+    size_t begin = 0;
+    for (size_t k = 0; k < text.size(); k++) {
+      depth += (text[k] == '<') - (text[k] == '>');
+      if (text[k] == ' ' && depth == 0) begin = k + 1;
+    }
+    text = text.substr(begin);
+    if (text == last || named == 4) continue;
+    functions += (named++ ? "<-" : "") + text;
+    last = text;
   }
-  for (char &c : caller) if (c == ' ') c = '_';
-  return (tree ? "tree:" : "") + caller;
+  site.openfoam = library.find("libPstream") == 0;
+  site.name = functions.empty() ? library : functions;
+  for (char &c : site.name) if (c == ' ') c = '_';
+  return site;
 }
 
-void message(int count, MPI_Datatype type, int to, MPI_Comm comm)
+// Found once for each way to a call: looking up names takes far longer than MPI
+const Site &site()
 {
-  if (to == MPI_PROC_NULL) return;
-  Messages &here = messages[site()];
-  here.calls++;
-  here.bytes += bytes(count, type);
-  here.ranks.insert(world(to, comm));
+  static std::map<std::vector<void *>, Site> known;
+  void *frames[64];
+  const int n = backtrace(frames, 64);
+  const std::vector<void *> key(frames, frames + n);
+  auto found = known.find(key);
+  if (found == known.end()) found = known.emplace(key, site_of(key)).first;
+  return found->second;
 }
 
 void collective(const char *name, double size)
 {
-  Count &count = collectives[std::string(name) + " " + site()];
+  Count &count = collectives[std::string(name) + " " + site().name];
   count.calls++;
   count.bytes += size;
+}
+
+// OpenFOAM sends to neighbours without waiting. Where it waits for each message it passes something from rank to rank
+// for all of them: reduce, gather, scatter
+void message(int count, MPI_Datatype type, int to, MPI_Comm comm, bool waits)
+{
+  if (to == MPI_PROC_NULL) return;
+  const Site &from = site();
+  const int rank = world(to, comm);
+  const bool tree = waits && from.openfoam;
+  Messages &here = messages[(tree ? "tree " : "message ") + from.name];
+  here.calls++;
+  here.bytes += bytes(count, type);
+  here.ranks.insert(rank);
+  int me;
+  PMPI_Comm_rank(MPI_COMM_WORLD, &me);
+  if (tree && rank < me) collective("up", bytes(count, type));
 }
 
 void write(int me)
@@ -124,9 +154,13 @@ void write(int me)
   written = true;
   FILE *out = fopen((std::string(path) + "." + std::to_string(me)).c_str(), "w");
   if (!out) return;
+  const auto line = [out](const std::string &key, const Count &count) {
+    const size_t blank = key.find(' ');
+    fprintf(out, "%s %ld %.0f %s", key.substr(0, blank).c_str(), count.calls, count.bytes, key.substr(blank + 1).c_str());
+  };
   for (const auto &entry : messages) {
-    fprintf(out, "message %ld %.0f %s ", entry.second.calls, entry.second.bytes, entry.first.c_str());
-    const char *between = "";
+    line(entry.first, entry.second);
+    const char *between = " ";
     for (const int rank : entry.second.ranks) {
       fprintf(out, "%s%d", between, rank);
       between = ",";
@@ -134,9 +168,8 @@ void write(int me)
     fprintf(out, "\n");
   }
   for (const auto &entry : collectives) {
-    const size_t blank = entry.first.find(' ');
-    fprintf(out, "%s %ld %.0f %s\n", entry.first.substr(0, blank).c_str(), entry.second.calls, entry.second.bytes,
-      entry.first.substr(blank + 1).c_str());
+    line(entry.first, entry.second);
+    fprintf(out, "\n");
   }
   if (FILE *status = fopen("/proc/self/status", "r")) {
     char line[256];
@@ -158,11 +191,11 @@ __attribute__((destructor)) void at_exit()
 
 #define SEND(Name) \
   int MPI_##Name(const void *b, int n, MPI_Datatype t, int to, int tag, MPI_Comm c) \
-  { message(n, t, to, c); return PMPI_##Name(b, n, t, to, tag, c); }
+  { message(n, t, to, c, true); return PMPI_##Name(b, n, t, to, tag, c); }
 
 #define ISEND(Name) \
   int MPI_##Name(const void *b, int n, MPI_Datatype t, int to, int tag, MPI_Comm c, MPI_Request *r) \
-  { message(n, t, to, c); return PMPI_##Name(b, n, t, to, tag, c, r); }
+  { message(n, t, to, c, false); return PMPI_##Name(b, n, t, to, tag, c, r); }
 
 extern "C" {
 
@@ -178,7 +211,7 @@ ISEND(Irsend)
 int MPI_Sendrecv(const void *b, int n, MPI_Datatype t, int to, int tag, void *rb, int rn, MPI_Datatype rt, int from, int rtag,
   MPI_Comm c, MPI_Status *s)
 {
-  message(n, t, to, c);
+  message(n, t, to, c, true);
   return PMPI_Sendrecv(b, n, t, to, tag, rb, rn, rt, from, rtag, c, s);
 }
 
@@ -204,6 +237,12 @@ int MPI_Allreduce(const void *b, void *r, int n, MPI_Datatype t, MPI_Op op, MPI_
 {
   collective("Allreduce", bytes(n, t));
   return PMPI_Allreduce(b, r, n, t, op, c);
+}
+
+int MPI_Ibarrier(MPI_Comm c, MPI_Request *q)
+{
+  collective("Ibarrier", 0);
+  return PMPI_Ibarrier(c, q);
 }
 
 int MPI_Iallreduce(const void *b, void *r, int n, MPI_Datatype t, MPI_Op op, MPI_Comm c, MPI_Request *q)

@@ -49,6 +49,7 @@ int main(int argc, char *argv[])
         values.counts = {0, 0, 0, 0};
         values.bytes = std::int64_t(3000000000)*n + Pstream::myProcNo();
         values.searches = values.bytes + 1;
+        values.reduce();
         log.write(values);
     }
 }
