@@ -8,6 +8,7 @@ plain text, and a list or table has an empty line before it. Formulas between $ 
 from the system, so that the pages need no connection.
 """
 
+import json
 import pathlib
 import re
 import shutil
@@ -154,7 +155,8 @@ def main(root, folder):
             there = folder / "pages" / place(name)
             there.parent.mkdir(parents=True, exist_ok=True)
             there.write_text(spaced(text))
-            nav += f"    - {place(name)}\n"
+            title = re.search(r"(?m)^# (.*)$", text)[1].replace("`", "")
+            nav += f"    - {json.dumps(title)}: {place(name)}\n"
     for name in pictures:
         there = folder / "pages" / name
         there.parent.mkdir(parents=True, exist_ok=True)

@@ -6,6 +6,7 @@
 
 import concurrent.futures
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -99,6 +100,14 @@ class Blocks(grainjet.Case):
                 page += f"```{language}\n{text}```\n"
         said = faults(blocks.of_text(page, "page"), self.folder)
         self.assertEqual({fault.split()[0] for fault in said}, set(broken), "\n".join(said))
+
+    def test_blocks_are_fenced(self):
+        """One that is set in by blanks would not be read here."""
+        for path in blocks.pages():
+            if "benchmarks" in path.parts:
+                continue
+            text = blocks.FENCE.sub(lambda match: "\n" * match[0].count("\n"), path.read_text())
+            self.assertIsNone(re.search(r"(?m)^\n    \S", text), path)
 
     def test_a_block_without_language_is_found(self):
         self.assertEqual(len(faults(blocks.of_text("```\na\n```\n", "page"), self.folder)), 1)

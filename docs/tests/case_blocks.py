@@ -37,6 +37,14 @@ class Blocks(unittest.TestCase):
     def test_blocks_are_found(self):
         self.assertGreater(len(self.blocks), 100)
 
+    def test_each_style_has_a_block_to_paste(self):
+        """A page of a fix, command or library has one before its table of words or entries."""
+        pages = [*(grainjet.ROOT / "docs").glob("fix_*.md"),
+                 *(grainjet.ROOT / f"docs/{name}.md" for name in ("coarsegraining", "loader", "liggghtsCoupling", "jetKEpsilon", "particleSamplingPlanes"))]
+        self.assertGreater(len(pages), 12)
+        for page in pages:
+            self.assertRegex(page.read_text(), r"(?s)## A block to paste\n.*?```(?:liggghts|foam)\n.*?\| (?:Word|Entry|keyword).*?\|", page.name)
+
     def test_programs_and_files_exist(self):
         """Paths that begin with a folder of the project, and its scripts."""
         found = self.lines(r"(?<![\w/.>-])(?:\./)?((?:cases|validation|openfoam-libs|liggghts-plugins|docs)/[\w/.-]*\w|All(?:wmake|test|wclean))\b")

@@ -12,6 +12,7 @@ import grainjet
 LONGEST = 160
 FENCE = re.compile(r"(?ms)^([ \t]*)(`{3,})[^\n]*\n.*?^\1\2[ \t]*$")
 LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\)|\[[^\]]*\])*)\]\(([^()\s]+(?:\([^()]*\)[^()\s]*)?)\)")
+FORMULA = re.compile(r"(?s)\$\$(.+?)\$\$|(?<!\$)\$([^$\n]+)\$(?!\$)")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^()\s]+)\)")
 # Tables of many measured figures, or with a cell per entry that a test reads; one of them is written by a program.
 # Their other lines are short.
@@ -113,6 +114,18 @@ class Pages(unittest.TestCase):
                 for number, line in enumerate(SHOWN.sub(lambda shown: "\n" * shown[0].count("\n"), text).splitlines(), 1)
                 if len(line) > LONGEST and not (line.startswith("|") and self.named(path) in WIDE_TABLES)]
         self.assertFalse(long, f"longer than {LONGEST}:\n" + "\n".join(long))
+
+    def test_formulas_are_whole(self):
+        """Lines $$ come in pairs; each formula has as many opening as closing braces and brackets of \\left and \\right."""
+        found = 0
+        for path, text in self.texts.items():
+            plain = re.sub(r"`[^`\n]*`", "", FENCE.sub("", text))
+            self.assertEqual(len(re.findall(r"(?m)^\$\$$", plain)) % 2, 0, self.named(path))
+            for formula in map("".join, FORMULA.findall(plain)):
+                found += 1
+                self.assertEqual(formula.count("{"), formula.count("}"), f"{self.named(path)}: {formula}")
+                self.assertEqual(formula.count("\\left"), formula.count("\\right"), f"{self.named(path)}: {formula}")
+        self.assertGreater(found, 300)
 
     def test_blocks_are_closed(self):
         for path, text in self.texts.items():

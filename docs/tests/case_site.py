@@ -33,6 +33,17 @@ class Site(grainjet.Case):
                 other = (page.parent / target).resolve() if target else page
                 self.assertIn(f'id="{fragment}"', other.read_text(), f"{page.name}: {target}#{fragment}")
 
+    def test_formulas(self):
+        """Each command of a formula is one of KaTeX."""
+        known = pathlib.Path("/usr/share/javascript/katex/katex.min.js").read_text()
+        used = set()
+        for path in (grainjet.ROOT / "docs").glob("*.md"):
+            text = re.sub(r"(?s)```.*?```|`[^`\n]*`", "", path.read_text())
+            for formula in re.findall(r"(?s)\$\$(.+?)\$\$|\$([^$\n]+)\$", text):
+                used |= set(re.findall(r"\\([A-Za-z]+)", "".join(formula)))
+        self.assertGreater(len(used), 30)
+        self.assertEqual({name for name in used if f'"\\\\{name}"' not in known}, set())
+
     def test_a_folder_with_other_files_is_kept(self):
         (self.folder / "site").mkdir()
         (self.folder / "site/mine").write_text("mine")

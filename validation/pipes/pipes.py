@@ -168,7 +168,7 @@ def main():
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--data", type=pathlib.Path, help="folder with the folders of the experiments")
     parser.add_argument("--cases", nargs="+")
-    parser.add_argument("--models", nargs="+", default=["today"])
+    parser.add_argument("--models", nargs="+", default=["base"])
     parser.add_argument("--size", default="standard")
     parser.add_argument("--ranks", type=int)
     parser.add_argument("--again", action="store_true", help="run finished cases anew")

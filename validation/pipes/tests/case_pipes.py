@@ -41,7 +41,7 @@ class Command(grainjet.Case):
     def test_runs_and_compares(self):
         """A vertical and a horizontal pipe; errors in the table are those of the difference to the points."""
         data = self.points()
-        result = self.call("--data", data, "--cases", "tsuji-200-1", "huber", "--models", "today", "roughness+cell")
+        result = self.call("--data", data, "--cases", "tsuji-200-1", "huber", "--models", "base", "roughness+cell")
         self.assertEqual(result.code, 0, result)
         rows = self.rows()
         self.assertEqual(len(rows), 4)
@@ -53,10 +53,10 @@ class Command(grainjet.Case):
         for case in ("tsuji-200-1", "huber"):
             self.assertTrue((self.folder/f"results/{case}_tiny.png").is_file())
         self.assertIn("no ", result.output)          # of the missing files
-        before = (self.folder/"work/tsuji-200-1_tiny_today/finished.json").stat().st_mtime_ns
+        before = (self.folder/"work/tsuji-200-1_tiny_base/finished.json").stat().st_mtime_ns
         result = self.call("--data", data, "--cases", "tsuji-200-1")
         self.assertEqual(result.code, 0, result)
-        self.assertEqual((self.folder/"work/tsuji-200-1_tiny_today/finished.json").stat().st_mtime_ns, before)
+        self.assertEqual((self.folder/"work/tsuji-200-1_tiny_base/finished.json").stat().st_mtime_ns, before)
         self.assertEqual(len(self.rows()), 4)
 
     def test_without_data(self):
@@ -64,7 +64,7 @@ class Command(grainjet.Case):
         self.assertEqual(result.code, 0, result)
         self.assertIn("No measured points", result.output)
         self.assertFalse((self.folder/"results/errors.csv").exists())
-        self.balance(self.folder/"work/tsuji-500-1_tiny_today", "tsuji-500-1")
+        self.balance(self.folder/"work/tsuji-500-1_tiny_base", "tsuji-500-1")
 
     def balance(self, case, name):
         """The bulk velocity is held, so at any time the driving force carries wall friction and what the grains take from the
@@ -81,7 +81,7 @@ class Command(grainjet.Case):
 
     def test_wrong_words(self):
         for words, said in ((("--cases", "tsuji"), "no case 'tsuji'; there are tsuji-200-1"),
-                            (("--models", "today+magic"), "no model 'magic'; there are today"),
+                            (("--models", "base+magic"), "no model 'magic'; there are base"),
                             (("--cases", "huber", "--size", "giant"), "no size 'giant'; there are standard"),
                             (("--data", "nowhere"), "nowhere: no such folder")):
             result = self.call(*words)
