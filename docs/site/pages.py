@@ -16,6 +16,7 @@ import sys
 NAVIGATION = [
     ("Start", ["README.md", "docs/installing.md", "docs/building.md", "docs/quickJet.md", "docs/tutorial.md",
                "docs/troubleshooting.md"]),
+    ("Tutorials", ["docs/tutorial_*.md"]),
     ("Drop into my case", ["docs/loader.md", "docs/fix_hertz_cg.md", "docs/coarsegraining.md", "docs/stock_commands.md",
                            "docs/liggghtsCoupling.md", "docs/fix_fluid_force.md", "docs/fix_fluid_heat.md", "docs/fix_grain_motion.md",
                            "docs/fix_plate_stats.md", "docs/fix_surface_stats.md", "docs/fix_collision_stats.md",
