@@ -3,14 +3,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # label: long
-"""docs/tutorial.md, done to the letter: every block of it in the order of the page (grainjet.pages)."""
+"""docs/tutorial.md and docs/tutorial_cluster.md, which begins where it ends, done to the letter: every block in the order of the
+pages (grainjet.pages)."""
 
 import unittest
 
 import grainjet
+from grainjet import tables
 from grainjet.pages import blocks, edited, follow, missing
 
 PAGE = grainjet.ROOT/"docs"/"tutorial.md"
+CLUSTER = grainjet.ROOT/"docs"/"tutorial_cluster.md"
 
 
 class Tutorial(grainjet.Case):
@@ -26,6 +29,15 @@ class Tutorial(grainjet.Case):
         profiles = sorted((case/"postProcessing"/"profiles").glob("*/plane_5D.dat"))
         self.assertEqual(len(profiles), 3, profiles)
         self.assertIn("End", (case/"log.pimpleFoam").read_text().splitlines())
+
+        # From 2 ranks by way of a kill to 4. What the script inserts per second (the log of LIGGGHTS says it) goes on: each start
+        # loses or gains less than the 11 grains of one insertion
+        case = follow(CLUSTER.read_text(), case)
+        balance = tables.history(case/"postProcessing"/"liggghtsCoupling", "balance")
+        last = {name: column[-1] for name, column in balance.items()}
+        self.assertAlmostEqual(balance["Time"][-1] if "Time" in balance else balance["time"][-1], 0.0925, delta=1e-9)
+        self.assertEqual(last["inserted"], last["present"] + last["leftBox"] + last["deleted"])
+        self.assertAlmostEqual(last["inserted"], 56901*0.0925, delta=6*12)
 
     def test_a_page_that_is_wrong_is_noticed(self):
         self.assertRaises(AssertionError, follow, "<!-- rum -->\n```\nls\n```\n", self.folder)
