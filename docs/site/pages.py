@@ -23,7 +23,7 @@ NAVIGATION = [
                            "docs/fix_wall_roughness.md", "docs/jetKEpsilon.md", "docs/particleSamplingPlanes.md"]),
     ("Choose", ["docs/choosing.md", "docs/comparison.md"]),
     ("Models", ["docs/what_grains_feel.md", "docs/errata.md"]),
-    ("Cases", ["cases/README.md", "docs/fluidBed.md", "docs/waterJet.md", "docs/sandblast.md", "docs/elbow.md",
+    ("Cases", ["cases/README.md", "docs/gallery.md", "docs/fluidBed.md", "docs/waterJet.md", "docs/sandblast.md", "docs/elbow.md",
                "docs/coldSpray.md", "docs/jetMill.md"]),
     ("Theory", ["docs/theory-*.md"]),
     ("Validation", ["validation/README.md", "validation/**/*.md"]),
