@@ -5,9 +5,10 @@
 """Picture of what a surface suffers: a map of one quantity of fix surface/stats, in parallel projection, and spectra.
 
     surface.py plate.vtp [--field wear_depth] [--look 0 0 -1] [--up 0 1 0] [--spectra spectra.csv] [--output surface.png]
+    surface.py plate.vtp --average 2e-3        each value is the mean over the triangles within 2 mm of its own
     surface.py plate.vtp --list                names and ranges of the quantities
 
-Triangles of any surface with values per triangle will do, in .vtp or .vtk.
+Prints where the shown quantity is largest. Triangles of any surface with values per triangle will do, in .vtp or .vtk.
 """
 
 import argparse
@@ -22,6 +23,7 @@ import matplotlib.colors
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 import numpy
+import scipy.spatial
 
 from grainjet import surfaces
 
@@ -70,6 +72,27 @@ def draw_map(axes, surface, values, look=(0, 0, -1), up=(0, 1, 0), length=1.0, n
     return drawn
 
 
+def averaged(surface, values, radius):
+    """Means over the triangles whose centres lie within a radius [m] of each one's, weighted by area; without those that have no
+    value. For quantities per area and means: the noise of few hits on small triangles goes, what is wider than the radius stays."""
+    if not radius > 0:
+        raise ValueError("--average must be above 0")
+    centres, areas = surface.centres(), surface.areas()
+    weight = numpy.where(numpy.isfinite(values), areas, 0)
+    weighted = numpy.where(weight > 0, values, 0)*weight
+    near = scipy.spatial.cKDTree(centres).query_ball_point(centres, radius)
+    with numpy.errstate(invalid="ignore"):
+        return numpy.array([weighted[i].sum() for i in near])/numpy.array([weight[i].sum() for i in near])
+
+
+def largest(surface, values):
+    """(value, centre of its triangle) of the largest one."""
+    if not numpy.isfinite(values).any():
+        raise ValueError("no triangle has a value")
+    i = numpy.nanargmax(numpy.where(numpy.isfinite(values), values, numpy.nan))
+    return values[i], surface.centres()[i]
+
+
 def read_spectra(path):
     """{quantity: rows of (low, high, particles, density)} with finite bins."""
     found = {}
@@ -113,6 +136,7 @@ def main():
     parser.add_argument("--look", type=float, nargs=3, default=(0, 0, -1), help="direction in which one looks")
     parser.add_argument("--up", type=float, nargs=3, default=(0, 1, 0), help="direction that is upwards in the picture")
     parser.add_argument("--length", type=float, default=1e-3, help="unit of length of the axes, m")
+    parser.add_argument("--average", type=float, help="radius, m, over which values are averaged")
     parser.add_argument("--log", action="store_true", help="logarithmic colours")
     parser.add_argument("--range", type=float, nargs=2, help="of the colours")
     parser.add_argument("--spectra", type=pathlib.Path, help="CSV file of spectra of the same fix")
@@ -129,16 +153,25 @@ def main():
             return 0
         if args.field not in surface.values:
             raise ValueError(f"{args.surface} has no quantity {args.field}; it has {', '.join(surface.values)}")
+        values = surface.values[args.field]
+        if args.average is not None:
+            values = averaged(surface, values, args.average)
+        top, place = largest(surface, values)
         spectra = {name: rows for name, rows in (read_spectra(args.spectra) if args.spectra else {}).items() if name in SPECTRA}
         norm = (matplotlib.colors.LogNorm if args.log else matplotlib.colors.Normalize)(*(args.range or (None, None)))
         columns = (len(spectra) + 1)//2
-        figure = plt.figure(figsize=(6 + 3.6*columns, 4.8), constrained_layout=True)
-        grid = figure.add_gridspec(2, columns + 1, width_ratios=[1.7] + [1]*columns)
+        # a narrow surface has a narrow map
+        right, upwards, _ = projection(args.look, args.up)
+        width = 1.8 + 4.2*min(numpy.ptp(surface.points @ right)/max(numpy.ptp(surface.points @ upwards), 1e-30), 1)
+        figure = plt.figure(figsize=(width + 3.6*columns, 4.8), constrained_layout=True)
+        grid = figure.add_gridspec(2, columns + 1, width_ratios=[width] + [3.6]*columns)
         axes = figure.add_subplot(grid[:, 0])
-        drawn = draw_map(axes, surface, surface.values[args.field], args.look, args.up, args.length, norm)
+        drawn = draw_map(axes, surface, values, args.look, args.up, args.length, norm)
     except (ValueError, OSError) as error:
         return f"surface.py: {error}"
     unit_text = UNITS.get(args.field)
+    plain = f" {unit_text.replace('$', '')}" if unit_text else ""
+    print(f"largest {args.field}: {top:.4g}{plain} at ({place[0]:.5g} {place[1]:.5g} {place[2]:.5g}) m")
     figure.colorbar(drawn, ax=axes, label=args.field.replace("_", " ") + (f", {unit_text}" if unit_text else ""), shrink=0.8)
     lengths = {1e-3: "mm", 1.0: "m"}.get(args.length, f"{args.length:g} m")
     axes.set(xlabel=lengths, ylabel=lengths)
@@ -146,6 +179,7 @@ def main():
         draw_spectrum(figure.add_subplot(grid[i % 2, 1 + i//2]), rows, name)
     args.output.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(args.output, dpi=150)
+    print(f"written: {args.output}")
     return 0
 
 

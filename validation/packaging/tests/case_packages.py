@@ -23,7 +23,7 @@ PLUGINS = ("hertzcgplugin.so", "collisionstatsplugin.so", "platestatsplugin.so",
 LIBRARIES = ("libliggghtsCoupling.so", "libjetTurbulenceModels.so", "libparticleSamplingPlanes.so",
              "libjetVoFphaseTurbulenceModels.so", "libjetTwoPhaseMixtureTurbulenceModels.so")
 CASES = ("quickJet/Allrun", "fluidBed/Allrun", "waterJet/Allrun", "sandblast/Allrun", "elbow/Allrun", "coldSpray/Allrun", "jetMill/Allrun",
-         "tutorial/fluid/0/U", "common/job.sh", "parameters.toml")
+         "tutorial/fluid/0/U", "tutorial/duct/0/U", "common/job.sh", "parameters.toml")
 # what a run or a build leaves behind, and tests
 SURPLUS = re.compile(r"/(tests|runs|__pycache__|postProcessing|processor\d+|polyMesh|\.git\w*|lnInclude)(/|$)|\.pyc$|/log\.")
 

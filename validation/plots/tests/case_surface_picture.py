@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """surface.py: pictures of maps and spectra of fix surface/stats, in both file formats, and its errors."""
 
+import re
 import unittest
 
 import grainjet
@@ -64,10 +65,25 @@ class SurfacePicture(grainjet.Case):
         listed = self.draw("plate.vtk", "--list")
         self.assertIn("wear_volume", listed.output)
 
+    def test_average_and_largest(self):
+        """Four equal triangles: within 1 mm each has only itself, within 10 mm all have the mean, which is the removed volume over the area."""
+        surface = self.thrown("vtp")
+        depth = surface.values["wear_depth"]
+        for radius, largest in (("1e-3", depth.max()), ("1e-2", surface.values["wear_volume"].sum() / surface.areas().sum())):
+            drawn = self.draw("plate.vtp", "--average", radius)
+            self.assertEqual(drawn.code, 0, drawn)
+            found = re.search(r"largest wear_depth: (\S+) m at \((\S+) (\S+) (\S+)\) m", drawn.output)
+            self.assertAlmostEqual(float(found[1]) / largest, 1, delta=1e-3)    # as printed
+            if radius == "1e-3":
+                centre = surface.centres()[depth.argmax()]
+                for printed, there in zip(found.groups()[1:], centre):
+                    self.assertAlmostEqual(float(printed), there, delta=1e-7)
+
     def test_errors(self):
         self.thrown("vtp")
         self.assertFails(self.draw("plate.vtp", "--field", "wear"), "no quantity wear", "wear_depth")
         self.assertFails(self.draw("plate.vtp", "--up", "0", "0", "1"), "--up")
+        self.assertFails(self.draw("plate.vtp", "--average", "0"), "--average must be above 0")
         self.assertFails(self.draw("none.vtp"), "none.vtp", "no such file")
         self.assertFails(self.draw("plate.vtp", "--spectra", "plate.csv"), "plate.csv is no table of spectra")
 

@@ -16,6 +16,11 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 def latest_mesh(case):
     """(time in s, unstructured grid with cell fields) of the latest time of a case."""
+    return mesh_at(case, float("inf"))
+
+
+def mesh_at(case, time):
+    """The same of the written time nearest to `time`."""
     case = pathlib.Path(case)
     marker = next(case.glob("*.foam"), None)
     if marker is None:
@@ -24,10 +29,11 @@ def latest_mesh(case):
     reader.SetFileName(str(marker))
     reader.UpdateInformation()
     times = vtk_to_numpy(reader.GetTimeValues())
-    reader.SetTimeValue(times[-1])
+    chosen = times[-1] if time > times[-1] else min(times, key=lambda written: abs(written - time))
+    reader.SetTimeValue(chosen)
     reader.CreateCellToPointOff()
     reader.Update()
-    return times[-1], reader.GetOutput().GetBlock(0)
+    return chosen, reader.GetOutput().GetBlock(0)
 
 
 def axial_slice(grid, field, normal=(0, 1, 0), offset=1e-7):
@@ -67,16 +73,26 @@ def at(grid, field, points):
     return numpy.where(inside, vtk_to_numpy(data.GetArray(field)), numpy.nan)
 
 
-def grains_at(folder, time):
-    """(time in s, positions (n, 3), fields) of the grains that a vtkCloud wrote below folder, from
-    the file nearest to a time."""
+def grain_times(folder):
+    """Times in s of the files that a vtkCloud wrote below folder."""
+    return [entry["time"] for entry in _series(folder)[1]]
+
+
+def _series(folder):
+    """(folder of the files, entries with `name` and `time`)"""
     series = sorted(pathlib.Path(folder).glob("*.series"))
     if not series:
         raise FileNotFoundError(f"{folder}: no grains (*.vtp.series) written there")
-    files = json.loads(series[0].read_text())["files"]
+    return series[0].parent, json.loads(series[0].read_text())["files"]
+
+
+def grains_at(folder, time):
+    """(time in s, positions (n, 3), fields) of the grains that a vtkCloud wrote below folder, from
+    the file nearest to a time."""
+    there, files = _series(folder)
     chosen = min(files, key=lambda entry: abs(entry["time"] - time))
     reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(str(series[0].parent/chosen["name"]))
+    reader.SetFileName(str(there/chosen["name"]))
     reader.Update()
     cloud = reader.GetOutput()
     if not cloud.GetNumberOfPoints():

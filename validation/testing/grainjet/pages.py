@@ -4,7 +4,7 @@
 """The pages of docs/: their tables, and what they tell the reader to do.
 
 A block of a page counts if the line before it is one of these comments, which a reader does not see:
-    <!-- run -->            shell commands, in the folder where the block before ended
+    <!-- run -->            shell commands, in the folder where the block before ended and with what that exported
     <!-- edit <file> -->    a diff; what it takes away or keeps stands in the file once, as it is
     <!-- create <file> -->  a new file
     <!-- shows -->          what the commands before print, line by line: all words and the form;
@@ -56,13 +56,17 @@ def missing(shown, printed):
 
 def follow(page, folder):
     """Does what a page says, beginning in a folder; the folder in which it ends."""
-    here, printed = folder, ""
+    comments, counted = len(re.findall(r"^<!--", page, re.M)), len(blocks(page))
+    if comments != counted:
+        raise AssertionError(f"of {comments} comments of the page {counted} are known: one is misspelt, or has no block")
+    here, printed, exported = folder, "", MPI
     for action, name, content in blocks(page):
         if action == "edit":
             (here/name).write_text(edited((here/name).read_text(), content))
         elif action == "create":
             if (here/name).exists():
                 raise AssertionError(f"{name} is there already")
+            (here/name).parent.mkdir(parents=True, exist_ok=True)
             (here/name).write_text(content)
         elif action == "shows":
             line = missing(content, printed)
@@ -70,10 +74,12 @@ def follow(page, folder):
                 raise AssertionError(f"not printed: {line}\nof\n{content}\nbut\n{printed[-6000:]}")
         else:
             ends = folder/"ends"
-            ran = run(["bash", "-euc", f"trap 'pwd > {ends}' EXIT\n{content}"], here, env=MPI)
+            ran = run(["bash", "-euc", f"trap 'pwd > {ends}; env -0 >> {ends}' EXIT\n{content}"], here, env=exported)
             if ran.code:
                 raise AssertionError(f"{content}\n{ran}")
-            here, printed = pathlib.Path(ends.read_text().strip()), ran.output
+            place, _, variables = ends.read_text().partition("\n")
+            exported = dict(item.split("=", 1) for item in variables.split("\0") if "=" in item)
+            here, printed = pathlib.Path(place), ran.output
     return here
 
 
