@@ -7,8 +7,10 @@
     run.py prepare WORK SIZE              coupled flow to start from: quickJet (50,000 cells) or medium (640,032)
     run.py run WORK SIZE VARIANT ...      some fluid steps from it with other settings, those of variants.py; all: each
     run.py table WORK SIZE                what the finished ones took, and how far their fields are from tight tolerances
+    run.py cut WORK SIZE                  slices along the axis against halves and quarters of them: faces between ranks
 
-Built Grainjet, its environment sourced. --ranks: MPI ranks of the variants, --steps: their fluid steps, --method: of decomposition."""
+Built Grainjet, its environment sourced. --ranks: MPI ranks of the variants, --steps: their fluid steps,
+--across: cut across the axis as well, "2 1" or "2 2"."""
 
 import argparse
 import pathlib
@@ -20,7 +22,7 @@ import sys
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT/"cases/common"), str(pathlib.Path(__file__).parent)]
+sys.path[:0] = [str(ROOT/"cases/common"), str(pathlib.Path(__file__).resolve().parent)]
 sys.dont_write_bytecode = True
 
 import check                # noqa: E402
@@ -97,9 +99,15 @@ def mapped(coarse, folder, work):
     programs.done(["pimpleFoam"], folder, folder/"log.pimpleFoam")
 
 
-def run(work, size, name, ranks, steps, method):
+def parts(ranks, across):
+    """What decomposeParDict has for so many ranks: slices of the axis, each cut across."""
+    x, y = (int(n) for n in across.split())
+    return f"({x} {y} {ranks//(x*y)})"
+
+
+def run(work, size, name, ranks, steps, across):
     start = work/f"start-{size}"
-    folder = work/(f"{size}-{name.replace(' ', '_')}" + (f"-{method}{ranks}" if ranks > 1 else ""))
+    folder = work/(f"{size}-{name.replace(' ', '_')}" + (f"-{parts(ranks, across)[1:-1].replace(' ', 'x')}" if ranks > 1 else ""))
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     time = latest(start)
@@ -113,7 +121,7 @@ def run(work, size, name, ranks, steps, method):
     solver = ["pimpleFoam"]
     if ranks > 1:
         dictionaries.put(folder/"system/parameters", ranks=str(ranks))
-        dictionaries.put(folder/"system/decomposeParDict", method=method)
+        dictionaries.put(folder/"system/decomposeParDict", n=parts(ranks, across))
         programs.done(["decomposePar"], folder, folder/"log.decomposePar")
         solver = [*programs.mpirun(ranks), "pimpleFoam", "-parallel"]
     programs.done(solver, folder, folder/"log.pimpleFoam")
@@ -167,24 +175,47 @@ def table(work, size):
     print("| settings | pressure solves | iterations of p | of U | of k, epsilon | fluid/before | largest change of U/Umean | rms | of p/Umean^2 |")
     print("|" + "---|"*9)
     names = {path: name for name in variants.VARIANTS for path in work.glob(f"{size}-{name.replace(' ', '_')}*")
-             if re.fullmatch(rf"{size}-{re.escape(name.replace(' ', '_'))}(-[a-z]+\d+)?", path.name)}
+             if re.fullmatch(rf"{size}-{re.escape(name.replace(' ', '_'))}(-[0-9x]+)?", path.name)}
     rows = {path: row(work, size, path.name[len(size) + 1:].replace("_", " "), path) for path in names
-            if "\nEnd" in (path/"log.pimpleFoam").read_text()}
+            if (path/"log.pimpleFoam").exists()}
     before = next(cells[5] for path, cells in rows.items() if path.name == f"{size}-before")
     for cells in rows.values():
         cells[5] = f"{cells[5]/before:.2f}"
         print("| " + " | ".join(cells) + " |")
 
 
+def cut(work, size):
+    """Decomposition alone."""
+    print("| ranks | parts in x, y, z | cells of a rank, most/mean | faces between ranks, most of a rank | all | neighbours, most |")
+    print("|" + "---|"*6)
+    for ranks in (2, 4, 8, 16):
+        for across in ("1 1", "2 1", "2 2"):
+            if across == "2 2" and ranks < 4:
+                continue
+            folder = work/f"cut-{size}"
+            shutil.rmtree(folder, ignore_errors=True)
+            for part in ("system", "constant"):
+                shutil.copytree(work/f"start-{size}"/part, folder/part)
+            dictionaries.put(folder/"system/parameters", ranks=str(ranks))
+            dictionaries.put(folder/"system/decomposeParDict", n=parts(ranks, across))
+            said = programs.done(["decomposePar"], folder, folder/"log.decomposePar")
+            shutil.rmtree(folder)
+            above = re.search(r"Max number of cells = \d+ \((\S+)% above", said)[1]
+            faces = re.findall(r"Number of processor faces = (\d+)", said)[-1]
+            most = re.search(r"Max number of faces between processors = (\d+)", said)[1]
+            near = re.search(r"Max number of processor patches = (\d+)", said)[1]
+            print(f"| {ranks} | {parts(ranks, across)[1:-1]} | {1 + float(above)/100:.3f} | {int(most):,} | {int(faces):,} | {near} |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("prepare", "run", "table"))
+    parser.add_argument("what", choices=("prepare", "run", "table", "cut"))
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("size", choices=SIZES)
     parser.add_argument("variant", nargs="*")
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--steps", type=int)
-    parser.add_argument("--method", default="simple", choices=("simple", "scotch"))
+    parser.add_argument("--across", default="1 1")
     args = parser.parse_args()
     work = args.work.resolve()
     work.mkdir(parents=True, exist_ok=True)
@@ -192,7 +223,9 @@ def main():
         prepare(work, args.size)
     elif args.what == "run":
         for name in variants.VARIANTS if args.variant == ["all"] else args.variant:
-            run(work, args.size, name, args.ranks, args.steps or STEPS[args.size], args.method)
+            run(work, args.size, name, args.ranks, args.steps or STEPS[args.size], args.across)
+    elif args.what == "cut":
+        cut(work, args.size)
     else:
         table(work, args.size)
 
