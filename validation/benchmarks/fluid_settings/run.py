@@ -32,9 +32,9 @@ from grainjet import dictionaries, programs, tables  # noqa: E402
 
 SIZES = ("quickJet", "medium")
 # time of the flow to start from, fluid steps on the mesh of medium after its mapping, s
-BEGIN = {"quickJet": 0.06, "quick": 0.0825}
-SETTLE = 20
-STEPS = {"quickJet": 20, "medium": 5}
+BEGIN = {"quickJet": 0.06, "quick": 0.05775}
+SETTLE = 6
+STEPS = {"quickJet": 20, "medium": 4}
 
 
 def stage(folder, name, log):
