@@ -85,6 +85,19 @@ def make(name, size, ranks, again):
         return
     if folder.exists():
         shutil.rmtree(folder)
+    fill(folder, settings)
+    coarse = table.Table().coarse(settings)
+    if coarse:
+        fill(folder/"coarse", {**coarse, "ranks": 1})       # so small a mesh needs no more
+    (folder/f"{folder.name}.foam").touch()
+    if settings["ranks"] > 8:
+        (folder/"job.slurm").write_text(slurm.script(settings, CASES, RUNS.resolve()))
+    stated.write_text(json.dumps({"settings": settings, "commit": commit()}, indent=1) + "\n")
+    print("new", folder)
+
+
+def fill(folder, settings):
+    """The files of quickJet with the numbers of a run, in a new folder."""
     folder.mkdir(parents=True)
     for item in COPIED:
         if (TEMPLATE/item).is_dir():
@@ -93,11 +106,6 @@ def make(name, size, ranks, again):
         else:
             shutil.copy2(TEMPLATE/item, folder/item)
     (folder/"system"/"parameters").write_text(parameters(settings))
-    (folder/f"{folder.name}.foam").touch()
-    if settings["ranks"] > 8:
-        (folder/"job.slurm").write_text(slurm.script(settings, CASES, RUNS.resolve()))
-    stated.write_text(json.dumps({"settings": settings, "commit": commit()}, indent=1) + "\n")
-    print("new", folder)
 
 
 def main():

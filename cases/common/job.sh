@@ -176,6 +176,21 @@ steady_stage()
     sed -n 's/^ *patch pipeWall y+ : /    y+ at the pipe wall: /p' "$log" | tail -n 1
 }
 
+# mapped_start <folder>: the fields to begin from are the steady flow of a case with a coarser mesh, made there first
+mapped_start()
+{
+    (
+        unset -f start_stage
+        cd "$1"
+        [ ! -f stage.steady ] || exit 0
+        echo "On the coarse mesh that the steady flow starts from, $PWD:"
+        mesh_stage
+        steady_stage
+        touch stage.steady
+    )
+    run log.mapFields "Its flow on this mesh" mapFields "$1" -consistent -sourceTime 0 -mapMethod interpolate
+}
+
 # From time 0, or from the latest time that is complete
 coupled_stage()
 {

@@ -29,9 +29,11 @@ rollingFriction dParticle rhoParticle massLoading Umean Re Uinsertion uRmsAxial 
 pipeLength insertionLength cellLength nSide nRing nAir courant rayleigh subSteps writes spinUpIterations
 refinement""".split())
 LISTS = {"planes", "sizeRange"}
-WORDS = {"interpolation", "endPatch", "wallLaw", "turbulentDispersion", "models"}
+WORDS = {"interpolation", "endPatch", "wallLaw", "turbulentDispersion", "models", "startFrom"}
 WORD_LISTS = {"forces"}
 REFERENCES = {"rig", "particles", "material", "case"}
+# what the mesh of a size is made of, and its steady flow
+MESH = ("cellLength", "nSide", "nRing", "nAir", "coreSide", "airGrading", "jetGrading", "spinUpIterations")
 
 
 class TableError(Exception):
@@ -138,8 +140,15 @@ class Table:
                 raise TableError(f"{where}: must be a {kind}")
             settings[key] = value
 
-    def run(self, name, size):
-        """All settings of a run, stated and derived."""
+    def coarse(self, settings):
+        """The settings of a run on the mesh of the size that its steady flow starts from, or None if there is none."""
+        if "startFrom" not in settings:
+            return None
+        size = self.size(settings["startFrom"])
+        return self.run(settings["name"], settings["size"], {key: size.get(key, self.data["defaults"].get(key)) for key in MESH})
+
+    def run(self, name, size, changes=None):
+        """All settings of a run, stated and derived; changes: other values instead of those of the table."""
         study = self.study_of(name)
         case_name = self.case_of(name, study) if study else name
         if case_name not in self.cases:
@@ -166,6 +175,7 @@ class Table:
             raise TableError(f"{self.path.name}: run {name}: no models '{models}'; there are "
                              f"{', '.join(self.data['models'])}")
         self._add(settings, self.data["models"][models], f"models.{models}")
+        settings.update(changes or {})
         settings |= {"name": name, "size": size, "case": case_name, "study": study,
                      "rig": rig, "material": particles["material"]}
         try:

@@ -14,6 +14,7 @@ import shutil
 import unittest
 
 import grainjet
+from grainjet import dictionaries
 
 CASES = grainjet.ROOT/"cases"
 KEPT = json.loads((CASES/"tests"/"Hardalupas1-tiny.json").read_text())
@@ -94,8 +95,16 @@ class Allrun(grainjet.Case):
             self.assertAlmostEqual(ours["axisRms"]/kept["axisRms"], 1, delta=4*math.sqrt(2/(2*n)))
 
     def test_plate_and_report(self):
+        # the steady flow starts from that of a coarser mesh if the run has one
+        self.allrun("--generate", "plate5D-cg1", "tiny")
+        made = self.runs/"plate5D-cg1-tiny"
+        shutil.copytree(made, made/"coarse")
+        dictionaries.put(made/"coarse"/"system"/"parameters", nSide="2", nRing="2", nJet="10", spinUpIterations="30")
         job = self.allrun("plate5D-cg1", "tiny")
         self.assertEqual(job.code, 0, job)
+        self.assertIn("interpolating epsilon", (made/"log.mapFields").read_text())
+        cells = [int(re.search(r"cells: +(\d+)", (at/"log.checkMesh").read_text())[1]) for at in (made/"coarse", made)]
+        self.assertLess(cells[0], cells[1]/2)
         self.assertIn("7 of 7 checks hold", job.output)
         results = self.runs/"plate5D-cg1-tiny"/"results"
         hits = json.loads((results/"plate.json").read_text())

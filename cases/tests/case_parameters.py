@@ -9,6 +9,7 @@ import math
 import unittest
 
 import grainjet
+from grainjet import dictionaries
 from common import table
 
 CASES = grainjet.ROOT/"cases"
@@ -128,6 +129,19 @@ class Generated(grainjet.Case):
         plate = (self.folder/"runs"/"plate15D-cg2-quick"/"system"/"parameters").read_text()
         self.assertRegex(plate, r"(?m)^endPatch +plate;")
         self.assertRegex(plate, r"(?m)^jetLength +15;")
+
+    def test_larger_sizes_start_from_the_mesh_of_quick(self):
+        """The folder coarse has the geometry of the run, the cells and iterations of quick; quick has no such folder."""
+        self.allrun("--generate", "Lau1", "full")
+        self.allrun("--generate", "Lau1", "quick")
+        fine, coarse, quick = (dictionaries.values(self.folder/"runs"/name/"system"/"parameters")
+                               for name in ("Lau1-full", "Lau1-full/coarse", "Lau1-quick"))
+        for name in ("nSide", "nRing", "nAir", "nPipe", "nJet", "coreSide", "airGrading", "jetGrading", "spinUpIterations", "ranks"):
+            self.assertEqual(coarse[name], quick[name], name)
+        for name in ("D", "Umean", "Re", "pipeLength", "jetLength", "nozzleRadius", "endRadius", "widening"):
+            self.assertEqual(coarse[name], fine[name], name)
+        self.assertGreater(fine["nSide"], coarse["nSide"])
+        self.assertFalse((self.folder/"runs"/"Lau1-quick"/"coarse").exists())
 
     def test_equals_quickJet_but_for_the_numbers(self):
         """A generated system/parameters has the names of quickJet's, in its order."""

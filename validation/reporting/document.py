@@ -11,6 +11,7 @@ import figures
 import models
 import results as results_
 import sections
+import sizes
 import table
 
 
@@ -31,7 +32,7 @@ def write(results, output):
              *sections.development(results, pictures), *sections.mesh(results, pictures),
              *sections.young(results), *sections.interpolation(results, pictures),
              *models.report(results, pictures), *sections.plate(results, pictures), *sections.sweep(results, pictures),
-             *costs(results), *missing(results)]
+             *sizes.report(results, pictures), *costs(results), *missing(results)]
     output.write_text("\n".join(lines) + "\n")
 
 
@@ -193,9 +194,9 @@ def costs(results):
                              f"{e['fluidSteps']:,.0f}", f"{e['demSteps']:,.0f}",
                              *(f"{e[part]:,.1f}" for part in ("fluid", "DEM", "coupling", "hours")),
                              f"{e['hours']/s['ranks']:.1f} on {s['ranks']}"))
-    return lines + ["", *scaling(results), "Lower bounds: nothing beyond two ranks was measured, the pressure solver needs more iterations on a finer mesh, and the "
-                    "machine's caches hold less of it, and fluid steps of five sub-steps take 1.2 times as long as those that were measured, with one "
-                    "([sub-steps](../benchmarks/sub_steps/README.md)). Count on twice the hours.", ""]
+    return lines + ["", *sizes.spent(results, unit, stay), *scaling(results), "Lower bounds: nothing beyond two ranks was measured, the pressure solver needs more "
+                    "iterations on a finer mesh, the machine's caches hold less of it, and fluid steps of five sub-steps take 1.2 times as long as those "
+                    "that were measured, with one ([sub-steps](../benchmarks/sub_steps/README.md)). Count on twice the hours.", ""]
 
 
 def scaling(results):

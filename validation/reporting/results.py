@@ -72,6 +72,10 @@ class Results:
         if not self.runs:
             raise InputError(f"no results of size {size} in {folder}; run cases/Allrun {size}, then "
                              "validation/report --collect")
+        # {size: {run: Run}} of the sizes above this one
+        sizes = list(self.table.sizes)
+        self.larger = {above: {run.name: run for run in (Run(path.parent) for path in sorted(self.folder.glob(f"*-{above}/summary.json")))}
+                       for above in sizes[sizes.index(size) + 1:]}
         self.experiments = {}
         if experiments:
             if not pathlib.Path(experiments).is_dir():
