@@ -25,9 +25,9 @@ TEMPERATURE, HEAT, COEFFICIENT, FLUID, FLOW, MEAN, TOTAL, BIOT = range(1, 9)
 
 class Uniform(HeatCase):
 
-    def grain(self, fluid, steps, output, dt=1e-5, before="", after="", plugins="", box=BOX):
+    def grain(self, fluid, steps, output, dt=1e-5, before="", after="", plugins="", box=BOX, move="nve/sphere"):
         """One grain; the table of thermo output, one row per time."""
-        body = f"{before}\nfix h all fluid/heat uniform {fluid}\n{OUTPUT}{after}\nthermo {output}\nrun {steps}"
+        body = f"{before}\nfix h all fluid/heat uniform {fluid}\n{OUTPUT}{after}\nthermo {output}\nrun {steps}".replace("nve/sphere", move)
         return self.thermo(self.liggghts(self.script(body, dt=dt, grains=ONE, plugins=plugins, box=box, boundary="f f f")))
 
     def test_one_grain_cools(self):
@@ -98,12 +98,20 @@ class Uniform(HeatCase):
         self.assertIn("Fix fluid/heat (ID h): no temperature is given for grains; new ones have the fluid's, 321 K", result.output)
         self.assertEqual(self.thermo(result)[0, TEMPERATURE], 321)
 
-    def force(self, dt, steps):
+    def force(self, dt, steps, move="nve/sphere"):
         """A grain that the fluid of fix fluid/force accelerates and heats: last row of thermo output."""
         box = BOX.replace("block 0 0.02", "block 0 20").replace("0.01", "10")
-        return self.grain(f"300 {AIR} temperature 400", steps, steps, dt=dt, box=box, plugins="plugin load fluidforceplugin.so", before=f"""
+        plugins = "plugin load fluidforceplugin.so\nplugin load grainmotionplugin.so"
+        return self.grain(f"300 {AIR} temperature 400", steps, steps, dt=dt, box=box, move=move, plugins=plugins, before=f"""
             neighbor 5 bin
             fix f all fluid/force uniform 100 0 0 density {RHO} viscosity {NU} drag stokes""")[-1]
+
+    def test_grain_motion(self):
+        """fix grain/motion with the fluid's force in its pass instead of nve/sphere, as in the case coldSpray: the same digits."""
+        stock = self.force(1e-3, 50)
+        self.assertLess(stock[TEMPERATURE], 399)
+        for fluid in ("", " fluid f"):
+            self.assertEqual(self.force(1e-3, 50, "grain/motion" + fluid).tolist(), stock.tolist(), fluid)
 
     def test_velocity_of_fluid_force(self):
         """The fluid's velocity is that of fix fluid/force. With Stokes' drag the slip is 100 exp(-t/tau); temperature

@@ -211,14 +211,21 @@ Foam::ownedGrains::received Foam::momentumExchange::receive
             sum.heat += received;
         }
     );
-    forAll(heat_, g)
+    // Grains that the script lets exchange no heat. One that has come to the fluid's temperature in a sub-step before has
+    // none to exchange either, but would if the fluid were not to stay as it is
+    const auto idle = [&](const bool all)
     {
-        if (heat_[g] == 0)
+        forAll(heat_, g)
         {
-            records[g].heatTransferCoefficient = 0;
+            if (heat_[g] == 0 && (all || records[g].heatDifference != 0))
+            {
+                records[g].heatTransferCoefficient = 0;
+            }
         }
-    }
+    };
+    idle(newStep);
     deposit(grains, records, averages);
+    idle(true);     // which a continued run finds in its grains, too
     return received;
 }
 

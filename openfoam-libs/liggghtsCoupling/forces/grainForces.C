@@ -360,6 +360,7 @@ Foam::scalar Foam::grainForces::act
                 voidFraction_ < 0 ? 1 : batch.fluid(voidFraction_)[0][i],
                 batch.heatTransferCoefficient[i], heat ? batch.heatCapacity[i] : 0,
                 batch.undisturbedTemperature[i],
+                heat ? batch.fluidTemperature[i] - batch.temperature[i] : 0,
                 slip
             };
             slipSum += mag(slip);
