@@ -164,14 +164,20 @@ class FixFluidForce : public Fix {
   };
   template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS> struct Kind {};
   template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS> struct Push;    // force on one grain
+  template<bool U, bool N, bool A> bool push_loop(double kick, const Booking &);
   template<bool U, bool N, bool A> bool push(double kick, const Booking &);
+  template<bool U, bool N, bool A> bool push_avx2(double kick, const Booking &);
+  template<bool U, bool N, bool A, bool JOIN> bool move_loop(const GrainStep &, const Booking &);
   template<bool U, bool N, bool A, bool JOIN> bool push_and_move(const GrainStep &, const Booking &);
+  template<bool U, bool N, bool A, bool JOIN> bool push_and_move_avx2(const GrainStep &, const Booking &);
   template<bool U, bool N, bool A> bool push_of(Kind<U, N, A>, double kick, const Booking &book)
   {
-    return push<U, N, A>(kick, book);
+    return grainjet::has_avx2() ? push_avx2<U, N, A>(kick, book) : push<U, N, A>(kick, book);
   }
   template<bool U, bool N, bool A> bool move_of(Kind<U, N, A>, const GrainStep &grains, const Booking &book)
   {
+    if (grainjet::has_avx2())
+      return grains.join ? push_and_move_avx2<U, N, A, true>(grains, book) : push_and_move_avx2<U, N, A, false>(grains, book);
     return grains.join ? push_and_move<U, N, A, true>(grains, book) : push_and_move<U, N, A, false>(grains, book);
   }
   template<typename Call> bool choose(const Call &);    // call(Kind of what this run has)
@@ -185,7 +191,9 @@ class FixFluidForce : public Fix {
   bool joins() const;
   void move(const GrainStep &);
 
+  template<bool UNIFORM> bool turn_loop(double kick, bool remove);
   template<bool UNIFORM> bool turn(double kick, bool remove);
+  bool turn_avx2(double kick, bool remove);
   bool turn_block(int first, double kick, FluidBlock<false> &);
 
   // Work of the half kick before, by the forces before push(), and of the half kick to come, by

@@ -150,7 +150,7 @@ struct FixFluidForce::Push {
 
   // Can a block of grains from this one on be taken at once?
   template<class Block>
-  bool whole(int first, int n, const int *mask, int groupbit) const
+  GRAINJET_IN_BOTH bool whole(int first, int n, const int *mask, int groupbit) const
   {
     return !UNIFORM && !ADDED_MASS && book.step && !book.remove && Block::may_be_taken(first, n, mask, groupbit, held);
   }
@@ -158,7 +158,7 @@ struct FixFluidForce::Push {
   // operator() for such a block: its forces are booked, but not added to the others yet. Returns false with nothing
   // booked if one is no number or far too large.
   template<class Block>
-  bool take(int i, Block &block) const
+  GRAINJET_IN_BOTH bool take(int i, Block &block) const
   {
     const int first = 3 * i;
     const typename Block::Fluid fluid = {fluids + first, explicits + first, coefficient + i,
@@ -193,7 +193,7 @@ struct FixFluidForce::Push {
 /* ---------------------------------------------------------------------- */
 
 template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS>
-bool FixFluidForce::push(double kick, const Booking &book)
+GRAINJET_IN_BOTH inline bool FixFluidForce::push_loop(double kick, const Booking &book)
 {
   typedef FluidBlock<NON_REACTING> Block;
   const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, kick, book);
@@ -226,7 +226,7 @@ bool FixFluidForce::push(double kick, const Booking &book)
 ------------------------------------------------------------------------- */
 
 template<bool UNIFORM, bool NON_REACTING, bool ADDED_MASS, bool JOIN>
-bool FixFluidForce::push_and_move(const GrainStep &given, const Booking &book)
+GRAINJET_IN_BOTH inline bool FixFluidForce::move_loop(const GrainStep &given, const Booking &book)
 {
   typedef FluidBlock<NON_REACTING> Block;
   const Push<UNIFORM, NON_REACTING, ADDED_MASS> push(*this, given.dt, book);
@@ -257,73 +257,30 @@ bool FixFluidForce::push_and_move(const GrainStep &given, const Booking &book)
   return wrong;
 }
 
-/* ----------------------------------------------------------------------
-   Torque of a block of grains from this one on: the same as drag, of spin. Returns false with nothing done if
-   they cannot be taken at once, or if a torque is no number or far too large.
-------------------------------------------------------------------------- */
+// The loops for any processor and for those with AVX2
 
-bool FixFluidForce::turn_block(int i, double kick, FluidBlock<false> &block)
+template<bool U, bool N, bool A>
+bool FixFluidForce::push(double kick, const Booking &book)
 {
-  constexpr int SIZE = FluidBlock<false>::SIZE, N = FluidBlock<false>::N;
-  if (!block.may_be_taken(i, atom->nlocal, atom->mask, groupbit, held_)) return false;
-  double inertia[SIZE];
-  for (int k = 0; k < SIZE; k++) inertia[k] = 0.4 * atom->rmass[i + k] * atom->radius[i + k] * atom->radius[i + k];
-  double *torque = atom->torque[i], *applied = fluidTorque_->array_atom[i];
-  const FluidBlock<false>::Fluid fluid = {fluidSpin_->array_atom[i], explicitTorque_->array_atom[i],
-    spinCoefficient_->vector_atom + i, NULL, NULL};
-  if (!block.work_out(fluid, atom->omega[i], torque, inertia, kick, LARGEST)) return false;
-  for (int e = 0; e < N; e++) {
-    applied[e] = block.force[e];
-    torque[e] += block.force[e];
-  }
-  return true;
+  return push_loop<U, N, A>(kick, book);
 }
 
-/* ----------------------------------------------------------------------
-   Torque. Returns whether one is no number or far too large. The fluid of style uniform is at
-   rest as far as spin goes.
-------------------------------------------------------------------------- */
-
-template<bool UNIFORM>
-bool FixFluidForce::turn(double kick, bool remove)
+template<bool U, bool N, bool A>
+GRAINJET_AVX2 bool FixFluidForce::push_avx2(double kick, const Booking &book)
 {
-  const int nlocal = atom->nlocal;
-  const double *omegas = atom->omega[0];
-  double *torques = atom->torque[0], *turned = fluidTorque_->array_atom[0];
-  const double *spins = UNIFORM ? NULL : fluidSpin_->array_atom[0];
-  const double *explicits = UNIFORM ? NULL : explicitTorque_->array_atom[0];
-  bool wrong = false;
+  return push_loop<U, N, A>(kick, book);
+}
 
-  FluidBlock<false> block;
-  for (int i = 0; i < nlocal; i++) {
-    if (!UNIFORM && !remove && i % block.SIZE == 0 && turn_block(i, kick, block)) {
-      i += block.SIZE - 1;
-      continue;
-    }
-    if (!(atom->mask[i] & groupbit)) continue;
-    const int first = 3 * i;
-    double *torque = torques + first, *applied = turned + first;
-    if (held_.holds(i)) {
-      applied[0] = applied[1] = applied[2] = 0.0;
-      continue;
-    }
-    const double *omega = omegas + first;
-    const double inertia = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
-    const ExponentialDrag drag(UNIFORM ? uniform_->spinCoefficient(i, kick) : spinCoefficient_->vector_atom[i],
-      kick, inertia);
+template<bool U, bool N, bool A, bool JOIN>
+bool FixFluidForce::push_and_move(const GrainStep &grains, const Booking &book)
+{
+  return move_loop<U, N, A, JOIN>(grains, book);
+}
 
-    for (int dim = 0; dim < 3; dim++) {
-      if (remove) torque[dim] -= applied[dim];
-      const double given = UNIFORM ? 0.0 : explicits[first + dim];
-      const double spin = UNIFORM ? 0.0 : spins[first + dim];
-      const double all = UNIFORM ? -drag.slip * omega[dim] - drag.other * torque[dim]
-        : given + drag.slip * (spin - omega[dim]) - drag.other * (torque[dim] + given);
-      if (!UNIFORM) wrong |= !(std::fabs(all) <= LARGEST);    // also if it is no number
-      applied[dim] = all;
-      torque[dim] += all;
-    }
-  }
-  return wrong;
+template<bool U, bool N, bool A, bool JOIN>
+GRAINJET_AVX2 bool FixFluidForce::push_and_move_avx2(const GrainStep &grains, const Booking &book)
+{
+  return move_loop<U, N, A, JOIN>(grains, book);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -351,7 +308,9 @@ void FixFluidForce::apply(double kick, bool remove, bool book)
   if (choose([&](auto kind) { return push_of(kind, kick, booking); })) refuse_force();
   if (work) book_work_after(book);
   if (!fluidTorque_) return;
-  if (uniform_ ? turn<true>(kick, remove) : turn<false>(kick, remove)) refuse_torque();
+  const bool wrong = uniform_ ? turn<true>(kick, remove)
+    : grainjet::has_avx2() ? turn_avx2(kick, remove) : turn<false>(kick, remove);
+  if (wrong) refuse_torque();
 }
 
 /* ----------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define GRAINJET_FLUID_BLOCK_H
 
 #include "held_grains.h"
+#include "host/vector_registers.h"
 #include "physics/drag/exponential_drag.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ class FluidBlock {
   };
 
   // Are there so many grains of the group from this one on, none of them held?
-  static bool may_be_taken(int first, int n, const int *mask, int groupbit, const HeldGrains &held)
+  GRAINJET_IN_BOTH static bool may_be_taken(int first, int n, const int *mask, int groupbit, const HeldGrains &held)
   {
     if (first + SIZE > n) return false;
     int all = groupbit;
@@ -46,7 +47,7 @@ class FluidBlock {
 
   // Works out the forces. kick: s; f: N, the other forces. Returns whether all are at most `largest` in size, and
   // numbers
-  bool work_out(const Fluid &fluid, const double *__restrict v, const double *__restrict f,
+  GRAINJET_IN_BOTH bool work_out(const Fluid &fluid, const double *__restrict v, const double *__restrict f,
     const double *__restrict mass, double kick, double largest)
   {
     share_drag(fluid, mass, kick);
@@ -71,10 +72,10 @@ class FluidBlock {
     return !(signs >> 63);
   }
 
-  double all(int e) const { return NON_REACTING ? force[e] + without[e] : force[e]; }
+  GRAINJET_IN_BOTH double all(int e) const { return NON_REACTING ? force[e] + without[e] : force[e]; }
 
   // Adds half a kick by forces of the former step, less those in `less`, and one or two by `now`
-  static void book(double *__restrict impulse, const double *__restrict now, double half, bool twice,
+  GRAINJET_IN_BOTH static void book(double *__restrict impulse, const double *__restrict now, double half, bool twice,
     const double *__restrict former, const double *__restrict less)
   {
     const double times = twice ? 2.0 : 1.0;
@@ -87,14 +88,14 @@ class FluidBlock {
   }
 
   // One number a grain for each of its three
-  static void spread(const double *__restrict one, double *__restrict three)
+  GRAINJET_IN_BOTH static void spread(const double *__restrict one, double *__restrict three)
   {
     for (int i = 0; i < SIZE; i++)
       for (int dim = 0; dim < 3; dim++) three[3 * i + dim] = one[i];
   }
 
   template<int COUNT = N>
-  static bool zero(const double *__restrict numbers)
+  GRAINJET_IN_BOTH static bool zero(const double *__restrict numbers)
   {
     std::uint64_t any = 0;
     for (int e = 0; e < COUNT; e++) any |= bits(numbers[e]) << 1;    // -0 is zero
@@ -105,7 +106,7 @@ class FluidBlock {
 
   double slip_[N], taken_[N], slipWithout_[N], takenWithout_[N];
 
-  static std::uint64_t bits(double number)
+  GRAINJET_IN_BOTH static std::uint64_t bits(double number)
   {
     std::uint64_t same;
     std::memcpy(&same, &number, sizeof(same));
@@ -113,7 +114,7 @@ class FluidBlock {
   }
 
   // One drag of all kinds of force, shared out by their coefficients
-  void share_drag(const Fluid &fluid, const double *__restrict mass, double kick)
+  GRAINJET_IN_BOTH void share_drag(const Fluid &fluid, const double *__restrict mass, double kick)
   {
     using grainjet::drag::ExponentialDrag;
     double b[SIZE], x[SIZE], slip[SIZE], other[SIZE];

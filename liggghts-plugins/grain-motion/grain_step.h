@@ -7,7 +7,9 @@
 #ifndef GRAINJET_GRAIN_STEP_H
 #define GRAINJET_GRAIN_STEP_H
 
+#include "fluid-force/fluid_block.h"
 #include "fluid-force/held_grains.h"
+#include "host/vector_registers.h"
 
 #include <vector>
 
@@ -72,7 +74,7 @@ struct GrainStep {
 
   // kick() or, JOIN, pass() for the grains of a FluidBlock from `first` on; add(e): the force to be added to number e of it
   template<bool JOIN, class Block, class Add>
-  void move(int first, const Add &add) const
+  GRAINJET_IN_BOTH void move(int first, const Add &add) const
   {
     constexpr int N = Block::N;
     double *__restrict vs = v + 3 * first, *__restrict xs = x + 3 * first, *__restrict fs = f + 3 * first;
@@ -160,11 +162,30 @@ struct GrainStep {
     } else if (moves(i)) kick(i);
   }
 
+  // end() of all grains; joined, of many at once
   template<bool JOIN>
   void end_all() const
   {
+    if (grainjet::has_avx2()) end_avx2<JOIN>();
+    else end_loop<JOIN>();
+  }
+
+  template<bool JOIN>
+  GRAINJET_AVX2 void end_avx2() const { end_loop<JOIN>(); }
+
+  template<bool JOIN>
+  GRAINJET_IN_BOTH void end_loop() const
+  {
+    typedef FluidBlock<false> Block;
     const GrainStep grains = *this;    // a copy: stays in registers
-    for (int i = 0; i < grains.n; i++) grains.end<JOIN>(i);
+    for (int first = 0; first < grains.n; first += Block::SIZE) {
+      if (JOIN && Block::may_be_taken(first, grains.n, grains.mask, grains.groupbit, *grains.held)) {
+        grains.move<JOIN, Block>(first, [](int) { return -0.0; });    // adding it changes nothing, not even a sign
+        continue;
+      }
+      const int end = first + Block::SIZE < grains.n ? first + Block::SIZE : grains.n;
+      for (int i = first; i < end; i++) grains.end<JOIN>(i);
+    }
   }
 };
 

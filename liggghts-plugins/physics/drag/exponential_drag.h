@@ -32,7 +32,7 @@ struct ExponentialDrag {
   // below this x the difference 1 - phi1 would lose digits: its series
   static constexpr double SMALL = 0.05;
 
-  static double series(double x)
+  __attribute__((always_inline)) static double series(double x)
   {
     return x * (1.0/2 - x * (1.0/6 - x * (1.0/24 - x * (1.0/120 - x * (1.0/720
       - x * (1.0/5040 - x * (1.0/40320)))))));
