@@ -10,30 +10,22 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::liftForce::warnOfLimit()
+void Foam::liftForce::warnOfLimit() const
 {
-    warned_ = returnReduce(limited_, orOp<bool>());
-    if (warned_)
-    {
-        IOWarningInFunction(dict_)
-            << "forces: " << type() << " exceeds the drag of some grains, and the fluid step is"
-            << " not short against the time in which drag slows them down. It has been limited to"
-            << " what can be integrated. Shorten the fluid step, with couplingInterval, if these"
-            << " grains matter" << endl;
-    }
+    IOWarningInFunction(dict_)
+        << "forces: " << type() << " exceeds the drag of some grains, and the fluid step is"
+        << " not short against the time in which drag slows them down. It has been limited to"
+        << " what can be integrated. Shorten the fluid step, with couplingInterval, if these"
+        << " grains matter" << endl;
 }
 
 
-void Foam::liftForce::warnOfDrag()
+void Foam::liftForce::warnOfDrag() const
 {
-    warnedOfDrag_ = returnReduce(undamped_, orOp<bool>());
-    if (warnedOfDrag_)
-    {
-        IOWarningInFunction(dict_)
-            << "forces: " << type() << " acts on grains without drag, which would slow them down"
-            << " and limit it. Held over a fluid step, such a lift makes the slip grow in each,"
-            << " without bound. Put drag before it" << endl;
-    }
+    IOWarningInFunction(dict_)
+        << "forces: " << type() << " acts on grains without drag, which would slow them down"
+        << " and limit it. Held over a fluid step, such a lift makes the slip grow in each,"
+        << " without bound. Put drag before it" << endl;
 }
 
 
@@ -104,12 +96,22 @@ void Foam::liftForce::addLift(grainBatch& grains, const lane* L) const
 
 void Foam::liftForce::prepare()
 {
-    if (!warned_)
+    // Once per fluid step, for all ranks together
+    if ((fluid_.intervalIndex() - 1)%fluid_.subSteps() != 0 || (warned_ && warnedOfDrag_))
     {
+        return;
+    }
+    enum { LIMITED = 1, UNDAMPED = 2 };
+    unsigned int seen = (limited_ ? LIMITED : 0) | (undamped_ ? UNDAMPED : 0);
+    reduce(seen, bitOrOp<unsigned int>());
+    if (!warned_ && (seen & LIMITED))
+    {
+        warned_ = true;
         warnOfLimit();
     }
-    if (!warnedOfDrag_)
+    if (!warnedOfDrag_ && (seen & UNDAMPED))
     {
+        warnedOfDrag_ = true;
         warnOfDrag();
     }
 }

@@ -32,6 +32,7 @@ ENTRIES = {
     "momentum": Entry("choice", "implicit"),
     "turbulentDispersion": Entry("choice", "none"),
     "turbulenceSources": Entry("choice", "none"),
+    "decompositionWeights": Entry("dictionary", "{ grainCost 1; }"),
     "fluid": Entry("choice", "incompressible"),
     "U": Entry("name", "U"),
     "p": Entry("name", "p"),
@@ -53,6 +54,10 @@ VOID_FRACTION = {
     "minimum": Entry("fraction", "0.3"),
     "equations": Entry("choice", "neglected"),
     "filter": Entry("dictionary", "{ length 0; }"),
+}
+
+WEIGHTS = {
+    "grainCost": Entry("positive", "1", required=True),
 }
 
 CHEN_WOOD = {
@@ -147,6 +152,9 @@ class Entries(bad_case.BadCase):
 
     def test_entries_of_the_void_fraction(self):
         self.spoilt(VOID_FRACTION, "voidFraction")
+
+    def test_entries_of_the_weights(self):
+        self.spoilt(WEIGHTS, "decompositionWeights")
 
     def test_entries_of_a_dispersion(self):
         folder = self.fresh()

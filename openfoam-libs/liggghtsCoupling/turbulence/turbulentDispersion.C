@@ -314,11 +314,16 @@ void Foam::turbulentDispersion::remember(grainBatch& grains) const
 
 void Foam::turbulentDispersion::checkInterval()
 {
+    // Once per fluid step, when all of its intervals have been seen
+    if (fluid_.intervalIndex()%fluid_.subSteps() != 0)
+    {
+        return;
+    }
     if (!warned_)
     {
-        const scalar share =
-            returnReduce(scalar(nLong_), sumOp<scalar>())
-           /max(returnReduce(scalar(nGrains_), sumOp<scalar>()), scalar(1));
+        vector2D counts(nLong_, nGrains_);
+        reduce(counts, sumOp<vector2D>());
+        const scalar share = counts.x()/max(counts.y(), scalar(1));
         warned_ = share > 0.1;
         if (warned_)
         {

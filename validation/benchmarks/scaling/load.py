@@ -107,7 +107,7 @@ def way(folder, name, time, steps):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--time", type=float, default=0.05)
+    parser.add_argument("--time", type=float, default=0.06)
     parser.add_argument("--steps", type=int, default=4)
     options = parser.parse_args()
     folder = options.folder.resolve()

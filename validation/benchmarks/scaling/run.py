@@ -59,7 +59,7 @@ def sites(work, library, found):
         by = []
         for sub_steps in (1, 5):
             cut = counts.BLOCKS[n]
-            each = counts.per_step(work, "coupled", cut, cut, library, sub_steps=sub_steps, shift=1.0)["coupling"]
+            each = counts.per_step(work, "coupled", cut, cut, library, sub_steps=sub_steps, shift=0.75)["coupling"]
             found[f"sites {n} {sub_steps}"] = [figures._asdict() for figures in each]
             by.append(counts.largest(each).sites)
         for name in sorted(set().union(*by)):
