@@ -21,6 +21,11 @@ BLOCK = re.compile(r"^<!-- (run|edit|create|shows)(?: (\S+))? -->\n```\w*\n(.*?)
 NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
 DATE = re.compile(r"\b(Mon|Tue|Wed|Thu|Fri|Sat|Sun) (Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)\b")
 
+# The pages that are followed, each with its test
+FOLLOWED = {"docs/tutorial.md": "cases/tutorial/tests/case_tutorial.py", "docs/tutorial_cluster.md": "cases/tutorial/tests/case_tutorial.py",
+            **{f"docs/tutorial_{name}.md": f"cases/tutorial/tests/case_tutorial_{name}.py"
+               for name in ("bed", "coldSpray", "erosion", "model", "nozzle")}}
+
 # Where the page says `mpirun -np 2` the test may run as root and on one core
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
