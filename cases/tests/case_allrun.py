@@ -103,6 +103,7 @@ class Allrun(grainjet.Case):
         job = self.allrun("plate5D-cg1", "tiny")
         self.assertEqual(job.code, 0, job)
         self.assertIn("interpolating epsilon", (made/"log.mapFields").read_text())
+        self.assertIn("After renumbering", (made/"log.renumberMesh").read_text())
         cells = [int(re.search(r"cells: +(\d+)", (at/"log.checkMesh").read_text())[1]) for at in (made/"coarse", made)]
         self.assertLess(cells[0], cells[1]/2)
         self.assertIn("7 of 7 checks hold", job.output)
