@@ -10,7 +10,7 @@ of the rank with most work, on P ranks: latency L, bandwidth B of a rank's share
 operation a tree of log2(P) of them, and nothing overlaps, so it errs on the slow side (after LogP: Culler et al., PPoPP 1993; trees of collectives:
 Thakur, Rabenseifner, Gropp, IJHPCA 19 (2005) 49). Where the numbers come from is said beside each.
 
-    validation/benchmarks/scaling/model.py [--latency US] [--bandwidth GB/S] [--ranks-per-node N] [--ranks P ...]
+    validation/benchmarks/scaling/model.py [--latency US] [--bandwidth GB/S] [--ranks-per-node N] [--balanced] [--ranks P ...]
 """
 
 import argparse
@@ -24,7 +24,7 @@ Part = collections.namedtuple("Part", "work messages bytes collectives")
 
 # Cells and grains of Hardalupas1 and of the case with most grains, validation/cases/report.md; steps of cases/parameters.toml
 CASES = {
-    "quickJet": Case(33_408, 5_000, 5, 10),
+    "quickJet": Case(46_020, 4_600, 5, 10),
     "Hardalupas1-medium": Case(640_032, 72_158, 5, 14),
     "Hardalupas1-full": Case(3_811_840, 72_158, 5, 10),
     "Hardalupas4-full": Case(3_811_840, 2_489_721, 5, 10),
@@ -39,23 +39,27 @@ GRAIN_EXCHANGE = 1.81e-6    # grain and exchange
 # (Squyres, "MPI over 40Gb Ethernet", Cisco, 2014)
 LATENCY = 1.93e-6
 BANDWIDTH = 37.23e9/8
-RANKS_PER_NODE = 64
+RANKS_PER_NODE = 16        # cores of those nodes
 
 # Neighbours of a rank in a mesh cut into compact parts
-NEIGHBOURS = 14
+NEIGHBOURS = 14             # assumed
 
-# Counted with run.py and load.py, see README.md
-FLUID_COLLECTIVES = 250     # quickJet's solver in a fluid step: reductions of its linear solvers
-FLUID_MESSAGES = 150        # to each neighbour
-FLUID_BYTES = 2000          # per face between ranks
-DEM_MESSAGES = 4            # LIGGGHTS: per DEM step, a stream in slices
-DEM_COLLECTIVES = 1         # LIGGGHTS: per DEM step, whether lists are to be rebuilt
-DEM_BYTES = 100             # per grain near a cut and DEM step
+# Counted in quickJet on 4 ranks, quarters, 46,020 cells, 4,600 grains, in a fluid step of 5 exchanges and 50 DEM steps: the fluid 1,567
+# collective operations, 2,920 messages, 17.7 MB; LIGGGHTS with fix hertz/cg and insertion 198, 275 and 1.1 MB; the coupling 135 messages, 5.95 MB,
+# nearly all of it values at points between ranks (cellPoint). A quarter has 2 neighbours and 4,270 faces to them
+FLUID_COLLECTIVES = 1567    # reductions of the linear solvers: as many on a finer mesh, which needs more iterations
+FLUID_MESSAGES = 1460       # to each neighbour
+FLUID_BYTES = 4150          # per face between ranks
+DEM_MESSAGES = 5.5          # per DEM step
+DEM_COLLECTIVES = 4         # per DEM step: whether lists are to be rebuilt, and for each new list
+DEM_BYTES = 190             # per DEM step and grain near a cut, (grains of the rank)^(2/3) of them
 COUPLING_COLLECTIVES = (2, 5)   # per fluid step, and per exchange: the limits that tests/case_collectives.py holds
-CONTACT_COLLECTIVES = 3     # per fluid step: fix hertz/cg, contacts and Rayleigh time of the log
-COUPLING_MESSAGES = 8       # per exchange and neighbour
-GRAIN_BYTES = 300           # per exchange and grain: all grains remote
-OCCUPIED = 0.3              # part of the cells, and so of the ranks, that hold the grains of a jet
+OTHER_COLLECTIVES = 11      # per fluid step of quickJet: fix hertz/cg 3, sampling planes 4, lift 2, dispersion 1, grains that left 1
+COUPLING_MESSAGES = 13      # per exchange and neighbour
+POINT_BYTES = 279           # per exchange and face between ranks: values at points
+GRAIN_BYTES = 525           # per exchange and remote grain: load.py, 484 and 1248 kB with 0.20 and 0.52 of 4,600 grains
+REMOTE = 0.1                # part of the grains that is remote: load.py, with weights
+OCCUPIED = 0.4              # part of the cells, and so of the ranks, with grains of a jet: quickJet, 0.05 grains a cell or more
 
 
 def stages(ranks):
@@ -80,7 +84,7 @@ def parts(case, ranks, balanced):
         "fluid": Part(CELL*case.cells/ranks, FLUID_MESSAGES*neighbours, FLUID_BYTES*faces(case.cells, ranks), FLUID_COLLECTIVES),
         "grains": Part(GRAIN_DEM*grains*steps, DEM_MESSAGES*steps*apart, DEM_BYTES*grains**(2/3)*steps*apart, DEM_COLLECTIVES*steps),
         "coupling": Part(GRAIN_EXCHANGE*grains*case.exchanges, COUPLING_MESSAGES*neighbours*case.exchanges,
-                         GRAIN_BYTES*grains*case.exchanges*apart, per_step + CONTACT_COLLECTIVES + per_exchange*case.exchanges),
+                         case.exchanges*(GRAIN_BYTES*REMOTE*grains*apart + POINT_BYTES*faces(case.cells, ranks)), per_step + OTHER_COLLECTIVES + per_exchange*case.exchanges),
     }
 
 
@@ -129,9 +133,10 @@ def main():
     parser.add_argument("--latency", type=float, default=1e6*LATENCY, help="us")
     parser.add_argument("--bandwidth", type=float, default=1e-9*BANDWIDTH, help="of a node, GB/s")
     parser.add_argument("--ranks-per-node", type=int, default=RANKS_PER_NODE)
+    parser.add_argument("--balanced", action="store_true", help="ranks have as many grains each, as with weights")
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 16, 64, 256, 1024, 4096])
     given = parser.parse_args()
-    options = {"latency": 1e-6*given.latency, "bandwidth": 1e9*given.bandwidth/given.ranks_per_node}
+    options = {"latency": 1e-6*given.latency, "bandwidth": 1e9*given.bandwidth/given.ranks_per_node, "balanced": given.balanced}
     for name, case in CASES.items():
         table(f"strong: {name}, {case.cells:,} cells, {case.grains:,} grains", rows(case, given.ranks, True, **options))
     for name in ("Hardalupas1-full", "Hardalupas4-full"):

@@ -6,7 +6,7 @@
 can tell, since none of it depends on time. A periodic box of cubes of cells, with grains at rest in moving air, cut alike for fluid and grains:
 
     weak      each rank holds one cube, cut into slices, so that a rank has two neighbours however many there are
-    strong    all ranks share 16 cubes, cut into blocks
+    strong    all ranks share 8 cubes, cut into blocks
     apart     as weak, with the grains' box beside the mesh by 0 to 3 mm: grains that are remote
     sites     every collective operation of the coupling by its function, with 1 and 5 sub-steps, on 2 and 4 ranks
 
@@ -33,7 +33,7 @@ def line(first, part, figures):
 def series(name, ranks, work, library, found):
     print(f"\n{name}: the largest of the ranks, per fluid step of {counts.INTERVAL} DEM steps\n\n{HEAD}", flush=True)
     for n in ranks:
-        cut, cubes = (counts.SLICES[n], counts.SLICES[n]) if name == "weak" else (counts.BLOCKS[n], counts.BLOCKS[16])
+        cut, cubes = (counts.SLICES[n], counts.SLICES[n]) if name == "weak" else (counts.BLOCKS[n], counts.BLOCKS[8])
         for kind in counts.KINDS:
             for part, each in counts.per_step(work, kind, cut, cubes, library).items():
                 found[f"{name} {n} {kind} {part}"] = [figures._asdict() for figures in each]

@@ -10,7 +10,6 @@ Counts are those of a long run less those of a short one, so that what a start c
 import collections
 import os
 import pathlib
-import random
 import shutil
 import subprocess
 
@@ -46,13 +45,13 @@ def many(ranks):
     return [*mpirun(ranks), "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
 
 
-def _positions(cubes, seed):
-    """One grain at a random place of each cell of a lattice, as many for each cube."""
-    n = round(GRAINS**(1/3))
-    step = 1e-3*SIDE/n
-    draw = random.Random(seed)
-    return [tuple((i + 0.3 + 0.4*draw.random())*step for i in place)
-            for place in ((i, j, k) for i in range(n*cubes[0]) for j in range(n*cubes[1]) for k in range(n*cubes[2]))]
+def _grains(low):
+    """Commands that create one grain at a random place of each cell of a lattice, as many for each cube. All at once: single ones
+    would need several collective operations each."""
+    step = 1e-3*SIDE/round(GRAINS**(1/3))
+    origin = " ".join(f"{(0.5 + a/step) % 1:.6g}" for a in low)
+    return (f"lattice sc {step!r} origin {origin}\ncreate_atoms 1 box\nset group all diameter {DIAMETER!r} density 2500\n"
+            f"displace_atoms all random {0.2*step!r} {0.2*step!r} {0.2*step!r} 15485863 units box")
 
 
 def write_case(folder, kind, cut, cubes, steps, sub_steps=1, shift=0.0, options=None):
@@ -65,8 +64,7 @@ def write_case(folder, kind, cut, cubes, steps, sub_steps=1, shift=0.0, options=
               decomposition="({} {} {})".format(*cut), ranks=ranks, delta_t=DEM_STEP*INTERVAL*sub_steps)
     dictionaries.change(pathlib.Path(folder)/"system/fvSolution", ("1e-14", "1e-6"), ("1e-13", "1e-6"), ("relTol 0;", "relTol 0.1;"))
     low = tuple(1e-3*shift*(c > 1) for c in cut)
-    x = [tuple(a + b for a, b in zip(place, low)) for place in _positions(cubes, 1)]
-    box.script(folder, grains=box.grains(x, [(0, 0, 0)]*len(x), DIAMETER),
+    box.script(folder, grains=_grains(low),
                box=" ".join(f"{a!r} {a + 1e-3*s!r}" for a, s in zip(low, size)), dt=DEM_STEP,
                processors="processors {} {} {} map xyz".format(*cut), end=f"run {INTERVAL*sub_steps*steps}" if kind == "grains" else "")
     if kind == "coupled":

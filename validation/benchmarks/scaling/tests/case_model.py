@@ -55,7 +55,7 @@ class Model(unittest.TestCase):
         # collectives of the coupling are those that the counts allow
         per_step, per_exchange = self.model.COUPLING_COLLECTIVES
         self.assertEqual(self.model.parts(case, 16, True)["coupling"].collectives,
-                         per_step + 5*per_exchange + self.model.CONTACT_COLLECTIVES)
+                         per_step + 5*per_exchange + self.model.OTHER_COLLECTIVES)
 
     def test_command(self):
         """It prints its tables, and takes another network."""
