@@ -9,13 +9,12 @@ import unittest
 
 import grainjet
 from grainjet import blocks, coupled_box, dictionaries
-from grainjet.pages import table_of_page
+from grainjet.pages import FOLLOWED, table_of_page
 
 COUPLING = set(table_of_page((grainjet.ROOT / "docs/liggghtsCoupling.md").read_text(), "Entries"))
 # other tests read these: models of a library that they build; the inlet's profile over its faces; solvers of a fluid with a surface
-ELSEWHERE = {"docs/new_model.md": "openfoam-libs/liggghtsCoupling/tests/case_user_models.py",
-             "docs/theory-turbulence.md": "openfoam-libs/jetTurbulenceModels/tests/case_inlet.py",
-             "docs/tutorial.md": "cases/tutorial/tests/case_tutorial.py"}
+ELSEWHERE = {**FOLLOWED, "docs/new_model.md": "openfoam-libs/liggghtsCoupling/tests/case_user_models.py",
+             "docs/theory-turbulence.md": "openfoam-libs/jetTurbulenceModels/tests/case_inlet.py"}
 FIELDS = {"k": ("0 2 -2", 0.1), "epsilon": ("0 2 -3", 1.0), "nut": ("0 2 -1", 1e-4)}
 
 
