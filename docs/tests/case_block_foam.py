@@ -15,7 +15,7 @@ COUPLING = set(table_of_page((grainjet.ROOT / "docs/liggghtsCoupling.md").read_t
 # other tests read these: models of a library that they build; the inlet's profile over its faces; solvers of a fluid with a surface
 ELSEWHERE = {**FOLLOWED, "docs/new_model.md": "openfoam-libs/liggghtsCoupling/tests/case_user_models.py",
              "docs/theory-turbulence.md": "openfoam-libs/jetTurbulenceModels/tests/case_inlet.py"}
-FIELDS = {"k": ("0 2 -2", 0.1), "epsilon": ("0 2 -3", 1.0), "nut": ("0 2 -1", 1e-4)}
+FIELDS = {"k": ("0 2 -2", 0.1), "epsilon": ("0 2 -3", 1.0), "nut": ("0 2 -1", 1e-4), "decompositionWeights": ("0 0 0", 1.0)}
 
 
 def first_level(text):
@@ -43,7 +43,7 @@ def file_of(text):
     if coupling_of(text):
         return "fvOptions"
     for name, file in (("simulationType", "turbulenceProperties"), ("functions", "controlDict"), ("libs", "controlDict"),
-                       ("rho", "transportProperties"), ("numberOfSubdomains", "decomposeParDict")):
+                       ("rho", "transportProperties"), ("numberOfSubdomains", "decomposeParDict"), ("solvers", "fvSolution")):
         if name in names:
             return file
     return None
@@ -61,6 +61,7 @@ class FoamBlocks(grainjet.Case):
         self.good = (self.folder / "constant/fvOptions").read_text()
         self.control = (self.folder / "system/controlDict").read_text()
         self.decompose = (self.folder / "system/decomposeParDict").read_text()
+        self.solution = (self.folder / "system/fvSolution").read_text()
         for name, (dimensions, value) in FIELDS.items():
             dictionaries.write_field(self.folder, name, dimensions, value, '".*" { type zeroGradient; }')
         self.foam("blockMesh")
@@ -82,6 +83,9 @@ class FoamBlocks(grainjet.Case):
             control = re.sub(r"(?m)^libs .*$" if "libs" in first_level(text) else r"functions \{  \}", "", control) + text
         (system / "controlDict").write_text(control)
         (system / "decomposeParDict").write_text(self.decompose if file != "decomposeParDict" else "")
+        (system / "fvSolution").write_text(self.solution)
+        if file == "fvSolution":        # of a case with an outlet; this one has walls all around
+            write(system / file, text + "\nPIMPLE { pRefCell 0; pRefValue 0; }")
         if "libs" in first_level(text) and "libliggghtsCoupling.so" not in text:
             write(constant / "fvOptions", "")
         if file == "decomposeParDict":

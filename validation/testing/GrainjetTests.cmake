@@ -5,10 +5,11 @@
 # Tests are found by themselves: drop a file into the folder `tests` of what it tests.
 #   <part>/tests/test_*.cpp   GoogleTest without LIGGGHTS and OpenFOAM (the headers of physics/)
 #   <part>/tests/case_*.py    a case-level test (Python unittest) that drives the real programs
-# A case-level test may state in comments how many of the machine's processors it occupies, and that it takes
-# more than 10 s on a free machine:
+# A case-level test may state in comments how many of the machine's processors it occupies, that it takes
+# more than 10 s on a free machine, and where other modules are that those of its part import:
 #   # processors: 2
 #   # label: long
+#   # modules: cases/common
 # Labels for `ctest -L <label>`: unit (GoogleTest), fast (unit tests, and case-level ones of up to 10 s), long (the
 # others).
 # One that cannot run here ends with code 77 after it said why: ctest counts it as skipped.
@@ -54,8 +55,14 @@ function(grainjet_find_tests)
       elseif(NOT label STREQUAL "long")
         message(FATAL_ERROR "${script}: the label '${label}' is not one of: long")
       endif()
+      set(modules ${CMAKE_SOURCE_DIR}/validation/testing:${folder_of_part})
+      file(STRINGS ${script} line REGEX "^# modules: [a-zA-Z/]+$" LIMIT_COUNT 1)
+      if(line)
+        string(REGEX REPLACE "^# modules: " "" line "${line}")
+        string(APPEND modules ":${CMAKE_SOURCE_DIR}/${line}")
+      endif()
       set_tests_properties(${test} PROPERTIES LABELS ${label}
-        ENVIRONMENT "PYTHONPATH=${CMAKE_SOURCE_DIR}/validation/testing:${folder_of_part};PYTHONDONTWRITEBYTECODE=1"
+        ENVIRONMENT "PYTHONPATH=${modules};PYTHONDONTWRITEBYTECODE=1"
         PROCESSORS ${processors} TIMEOUT 900 SKIP_RETURN_CODE 77)
     endforeach()
   endforeach()

@@ -3,20 +3,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The part of the report on larger sizes: kept results of a quick run beside a copy of them that is called medium, with
 other numbers where a difference must be seen."""
+# modules: cases/common
 
 import json
 import pathlib
 import re
 import shutil
-import sys
 import unittest
 
 import grainjet
-
-sys.path.insert(0, str(grainjet.ROOT/"cases/common"))
-
-import results      # noqa: E402
-import sizes        # noqa: E402
+import results
+import sizes
 
 KEPT = grainjet.ROOT/"validation/cases/results/Hardalupas1-quick"
 UNIT = {"fluid": 2e-6, "DEM": 1e-7, "coupling": 2e-6}

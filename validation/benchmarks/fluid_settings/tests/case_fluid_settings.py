@@ -26,7 +26,7 @@ class Settings(grainjet.Case):
         self.ours = (grainjet.ROOT/"cases/quickJet/system/fvSolution").read_text()
 
     def test_page_shows_what_quickJet_has(self):
-        block = re.search(r"(?s)```\n(solvers.*?)```", (HERE/"README.md").read_text())[1]
+        block = re.search(r"(?s)```foam\n(solvers.*?)```", (HERE/"README.md").read_text())[1]
         for name in ("p", "pFinal", '"(U|k|epsilon)"', '"(U|k|epsilon)Final"', "PIMPLE"):
             self.assertEqual(entries(block, name), entries(self.ours, name), name)
 
