@@ -116,7 +116,7 @@ def run(work, size, name, ranks, steps, across):
     step = check.parameters(start)["fluidStep"]
     until(folder, float(time) + steps*step, steps*step)
     dictionaries.write(folder/"system/fvSolution", variants.solution(variants.VARIANTS[name]))
-    if name == "renumberMesh":
+    if name.endswith("renumberMesh"):
         programs.done(["renumberMesh", "-overwrite"], folder, folder/"log.renumberMesh")
     solver = ["pimpleFoam"]
     if ranks > 1:
@@ -162,7 +162,7 @@ def row(work, size, name, folder):
     log, p = Log(folder), check.parameters(folder)
     cells = [name, f"{log.solves}", f"{log.pressure:.1f}", f"{log.velocity:.1f}", f"{log.turbulence:.1f}", log.fluid]
     reference = work/f"{size}-tight"
-    if not reference.exists() or name == "renumberMesh" or (folder/"processor0").exists():
+    if not reference.exists() or name.endswith("renumberMesh") or (folder/"processor0").exists():
         return cells + ["-", "-", "-"]
     time = latest(folder)
     there = latest(reference)
