@@ -10,7 +10,8 @@
     run.py cut WORK SIZE                  slices along the axis against halves and quarters of them: faces between ranks
 
 Built Grainjet, its environment sourced. --ranks: MPI ranks of the variants, --steps: their fluid steps,
---across: cut across the axis as well, "2 1" or "2 2"."""
+--across: cut across the axis as well, "2 1" or "2 2",
+--messages: print what the first rank hands to MPI."""
 
 import argparse
 import pathlib
@@ -28,7 +29,7 @@ sys.dont_write_bytecode = True
 import check                # noqa: E402
 import generate             # noqa: E402
 import variants             # noqa: E402
-from grainjet import dictionaries, programs, tables  # noqa: E402
+from grainjet import dictionaries, mpi_counts as counts, programs, tables  # noqa: E402
 
 SIZES = ("quickJet", "medium")
 # time of the flow to start from, fluid steps on the mesh of medium after its mapping, s
@@ -105,7 +106,7 @@ def parts(ranks, across):
     return f"({x} {y} {ranks//(x*y)})"
 
 
-def run(work, size, name, ranks, steps, across):
+def run(work, size, name, ranks, steps, across, messages):
     start = work/f"start-{size}"
     folder = work/(f"{size}-{name.replace(' ', '_')}" + (f"-{parts(ranks, across)[1:-1].replace(' ', 'x')}" if ranks > 1 else ""))
     shutil.rmtree(folder, ignore_errors=True)
@@ -123,8 +124,14 @@ def run(work, size, name, ranks, steps, across):
         dictionaries.put(folder/"system/parameters", ranks=str(ranks))
         dictionaries.put(folder/"system/decomposeParDict", n=parts(ranks, across))
         programs.done(["decomposePar"], folder, folder/"log.decomposePar")
-        solver = [*programs.mpirun(ranks), "pimpleFoam", "-parallel"]
+        library = [f"LD_PRELOAD={counts.build(work)}", f"GRAINJET_MPI_COUNTS={folder/'counts'}"] if messages else []
+        solver = [*programs.mpirun(ranks), "env", *library, "pimpleFoam", "-parallel"]
     programs.done(solver, folder, folder/"log.pimpleFoam")
+    if messages:
+        calls = [line.split()[:2] for line in (folder/"counts.0").read_text().splitlines() if not line.startswith("memory")]
+        sent = sum(int(n) for kind, n in calls if kind == "message")
+        print(f"{name}: {sent/steps:.0f} messages, {sum(int(n) for _, n in calls)/steps - sent/steps:.0f} collective operations per step, "
+              "with those of the start")
 
 
 def values(path):
@@ -216,6 +223,7 @@ def main():
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--steps", type=int)
     parser.add_argument("--across", default="1 1")
+    parser.add_argument("--messages", action="store_true")
     args = parser.parse_args()
     work = args.work.resolve()
     work.mkdir(parents=True, exist_ok=True)
@@ -223,7 +231,7 @@ def main():
         prepare(work, args.size)
     elif args.what == "run":
         for name in variants.VARIANTS if args.variant == ["all"] else args.variant:
-            run(work, args.size, name, args.ranks, args.steps or STEPS[args.size], args.across)
+            run(work, args.size, name, args.ranks, args.steps or STEPS[args.size], args.across, args.messages)
     elif args.what == "cut":
         cut(work, args.size)
     else:
