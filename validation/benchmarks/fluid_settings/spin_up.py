@@ -14,11 +14,10 @@ import argparse
 import pathlib
 import re
 import shutil
-import sys
 
 import numpy
 
-from run import ROOT, generate, stage, dictionaries, programs
+from run import ROOT, generate, stage, dictionaries
 
 SOLVERS = """solvers
 {
