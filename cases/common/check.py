@@ -124,7 +124,13 @@ class Results:
         # The planes count what the balance and the grains themselves say, but for the grains that
         # pass in the one step that may or may not belong to the sampling
         slack = 1 + math.ceil(2*expected*p["fluidStep"]/(p["endTime"] - p["sampleStart"]))
-        for plane in planes:
+        counted = True
+        for name, (written, _, _) in (("sampleStart", start), ("endTime", end)):
+            if abs(written - p[name]) > p["fluidStep"]:
+                counted = False
+                checks.append((False, f"crossings: grains were written at {written:g} s, not at {name} = {p[name]:g} s, so they cannot be counted: "
+                               f"make {name} a multiple of writeInterval"))
+        for plane in planes if counted else ():
             passed = (beyond(end, balance, plane.position, D)
                       - beyond(start, balance, plane.position, D))
             checks.append((abs(passed - plane.passed) <= slack,

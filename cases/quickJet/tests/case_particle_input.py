@@ -130,6 +130,7 @@ class ParticleInput(grainjet.Case):
                 ("diameters       (80e-6);", "diameters (8 x);", ("diameters must be a number", "'x'")),
                 ("diameters       (80e-6);", "diameters 80e-6;", ("diameters must be a list", "'8e-05'")),
                 ("couplingInterval 10;", "couplingInterval 0;", ("couplingInterval must be larger than 0",)),
+                ("subSteps        5;", "subSteps 1;", ("2.5e-05 s is 74 %", "Rayleigh time of the smallest grain, 3.36e-05 s", "at least 38")),
                 ("dParticle       80e-6;", "dParticle { 80e-6;", ("parameters",))):
             with self.subTest(new):
                 path.write_text(good)

@@ -64,6 +64,11 @@ class QuickJet(grainjet.Case):
         self.assert_failed(case, balance, "sub-steps: in a fluid step", "fluidChange", lambda change: 20*change)
         dictionaries.change(case/"log.pimpleFoam", ("\nEnd", "\nCourant Number mean: 0.1 max: 5.1\nEnd"))
         self.assert_failed(case, balance, "sub-steps: largest Courant number 5.1", "bytes", lambda n: n)
+        # no grains were written when the sampling began: said instead of a wrong count
+        dictionaries.put(case/"system/parameters", sampleStart=0.07)
+        judged = grainjet.run([grainjet.ROOT/"cases"/"common"/"check.py", case], case)
+        self.assertRegex(judged.output, "FAILED +crossings: grains were written at 0.06 s, not at sampleStart = 0.07 s.*a multiple of writeInterval")
+        self.assertNotIn("crossings of", judged.output)
 
     def assert_failed(self, case, balance, words, column, spoil):
         """Of all checks those that begin with these words fail, and no others, if a column of the balance is another one."""
