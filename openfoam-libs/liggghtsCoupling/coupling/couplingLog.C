@@ -244,7 +244,7 @@ void Foam::couplingLog::write(const step& values)
     // Shares of the wall clock since the previous line
     const scalar all = max(now - previousSeconds_, VSMALL);
     const scalar couplingSeconds = values.couplingSeconds + ownSeconds_;
-    fluidSeconds_ = all - values.demSeconds - couplingSeconds;
+    fluidSeconds_ = first ? 0 : all - values.demSeconds - couplingSeconds;
     previousSeconds_ = now;
 
     // For the eye, whatever precision the case writes its fields with

@@ -103,6 +103,11 @@ void Foam::decompositionWeights::addClock
     const scalar fluidSeconds
 )
 {
+    // Before the first line of the log the fluid has not been solved
+    if (fluidSeconds <= 0)
+    {
+        return;
+    }
     // All ranks wait for the one with most cells, or most grains
     cellClock_.add(fluidSeconds, mostCells_);
     grainClock_.add(step.demSeconds + step.couplingSeconds, step.mostGrains);
@@ -135,7 +140,7 @@ bool Foam::decompositionWeights::writeFiles() const
     weights.primitiveFieldRef() += grainCost_*means_;
     weights.correctBoundaryConditions();
 
-    if (cellClock_.each() > 0)
+    if (cellClock_.each() > 0 && grainClock_.each() > 0)
     {
         const int precision = Info().precision(3);
         Info<< "liggghtsCoupling: " << typeName << " with grainCost " << grainCost_

@@ -99,6 +99,16 @@ class DecompositionWeights(box.CoupledCase):
         for weight, n in zip(again, number):
             self.assertAlmostEqual(weight, 1 + COST*n, delta=1e-10)
 
+    def test_what_the_clock_says(self):
+        """Nothing where it cannot: before the fluid has been solved, and without grains. The field is written all the same."""
+        for steps, grains in ((1, ([(0.001, 0.001, 0.001)], [(0, 0, 0)])), (2, ([], []))):
+            with self.subTest(steps):
+                folder = self.run_box(0, steps=steps, walls=True, boundary="f f f", grains=grains, write_every=steps, options={
+                    "decompositionWeights": "{ grainCost 2; }", "interpolation": "cell"})
+                self.assertNotIn("by the clock of this run", self.result.output)
+                weights = dictionaries.internal(folder/f"{1e-4*steps:g}/decompositionWeights")
+                self.assertEqual(sum(weights) if len(weights) > 1 else 2000*weights[0], 2000 + 2*len(grains[0]))
+
 
 if __name__ == "__main__":
     unittest.main()
