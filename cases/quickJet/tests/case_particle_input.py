@@ -80,7 +80,7 @@ class ParticleInput(grainjet.Case):
 
     def test_sizes_and_plate(self):
         self.make(diameters="(60e-6 80e-6 110e-6)", massFractions="(0.2 0.5 0.3)", endPatch="plate", endType="wall",
-                  rollingFriction=0.01, cg=1)
+                  rollingFriction=0.01, cg=1, couplingInterval=20)
         sizes = self.text("sizes")
         found = re.findall(r"(?m)^fix size\d all particletemplate/sphere (\d+) .* radius constant (\S+) ", sizes)
         self.assertEqual([float(radius) for _, radius in found], [3e-5, 4e-5, 5.5e-5])
@@ -130,7 +130,7 @@ class ParticleInput(grainjet.Case):
                 ("diameters       (80e-6);", "diameters (8 x);", ("diameters must be a number", "'x'")),
                 ("diameters       (80e-6);", "diameters 80e-6;", ("diameters must be a list", "'8e-05'")),
                 ("couplingInterval 10;", "couplingInterval 0;", ("couplingInterval must be larger than 0",)),
-                ("subSteps        5;", "subSteps 1;", ("2.5e-05 s is 74 %", "Rayleigh time of the smallest grain, 3.36e-05 s", "at least 38")),
+                ("subSteps        5;", "subSteps 1;", ("2.5e-05 s is 74 %", "Rayleigh time of a grain, 3.36e-05 s", "at least 38")),
                 ("dParticle       80e-6;", "dParticle { 80e-6;", ("parameters",))):
             with self.subTest(new):
                 path.write_text(good)

@@ -189,7 +189,7 @@ class GrainCells(box.CoupledCase):
                 text = path.read_text()
                 kinds = re.findall(r"//- (?:Bytes|Searches) [^;{]*?since construction[^;{]*?\n\s*"
                                    r"(?:mutable )?([\w:]+) \w+(?:;|\(\) const)", text)
-                kinds += re.findall(r"([\w:]+) \w+ = 0; +//!<.*since the start", text)
+                kinds += re.findall(r"//- (?:Bytes|Searches) [^\n]*since the start\n\s*([\w:]+) \w+ = 0;", text)
                 found += len(kinds)
                 self.assertEqual(set(kinds) - {"std::int64_t"}, set(), path)
         self.assertGreaterEqual(found, 8)
