@@ -67,7 +67,7 @@ class QuickJet(grainjet.Case):
         # no grains were written when the sampling began: said instead of a wrong count
         dictionaries.put(case/"system/parameters", sampleStart=0.07)
         judged = grainjet.run([grainjet.ROOT/"cases"/"common"/"check.py", case], case)
-        self.assertRegex(judged.output, "FAILED +crossings: grains were written at 0.06 s, not at sampleStart = 0.07 s.*a multiple of writeInterval")
+        self.assertRegex(judged.output, "FAILED +crossings: grains were written at 0.0[68] s, not at sampleStart = 0.07 s.*a multiple of writeInterval")
         self.assertNotIn("crossings of", judged.output)
 
     def assert_failed(self, case, balance, words, column, spoil):
