@@ -19,7 +19,7 @@ class Nozzle(grainjet.Case):
 
     def test_page(self):
         case = follow((grainjet.ROOT/"docs"/"tutorial_nozzle.md").read_text(), self.folder)
-        said = (case/"log.Allrun").read_text()
+        said = (case/"Allrun.out").read_text()
         self.assertIn("All checks hold", said)
 
         # All beads that come in leave the nozzle, but for those under way: 900 are expected, with what an insertion's rhythm and
