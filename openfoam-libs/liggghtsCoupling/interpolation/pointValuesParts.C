@@ -12,6 +12,40 @@ Description
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// n numbers of a point: the sum over its parts, from the first to the one before the last
+template<Foam::label n>
+inline void sumPoint
+(
+    const Foam::scalar* cells,
+    const Foam::label width,
+    const Foam::scalar* weights,
+    const Foam::label* parts,
+    const Foam::label first,
+    const Foam::label last,
+    Foam::scalar* row
+)
+{
+    Foam::scalar sum[n] = {};
+    for (Foam::label part = first; part < last; ++part)
+    {
+        const Foam::scalar weight = weights[part];
+        const Foam::scalar* values = cells + width*parts[part];
+        for (Foam::label k = 0; k < n; ++k)
+        {
+            sum[k] += weight*values[k];
+        }
+    }
+    std::copy_n(sum, n, row);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<Foam::label nBlocks>
@@ -21,20 +55,9 @@ void Foam::pointValues::sumPoints(const label firstBlock)
     const scalar* cells = cells_.data() + blockSize*firstBlock;
     scalar* row = points_.data() + blockSize*firstBlock;
     const label nPoints = mesh_.nPoints();
-    label part = 0;
     for (label i = 0; i < nPoints; ++i)
     {
-        scalar sum[n] = {};
-        for (const label end = firstPart_[i + 1]; part < end; ++part)
-        {
-            const scalar weight = weights_[part];
-            const scalar* values = cells + width_*parts_[part];
-            for (label k = 0; k < n; ++k)
-            {
-                sum[k] += weight*values[k];
-            }
-        }
-        std::copy_n(sum, n, row);
+        sumPoint<n>(cells, width_, weights_.data(), parts_.data(), firstPart_[i], firstPart_[i + 1], row);
         row += width_;
     }
 }
@@ -47,17 +70,11 @@ void Foam::pointValues::sumSome(const label firstBlock)
     const scalar* cells = cells_.data() + blockSize*firstBlock;
     for (const label pointi : toSum_)
     {
-        scalar sum[n] = {};
-        for (label part = firstPart_[pointi]; part < firstPart_[pointi + 1]; ++part)
-        {
-            const scalar weight = weights_[part];
-            const scalar* values = cells + width_*parts_[part];
-            for (label k = 0; k < n; ++k)
-            {
-                sum[k] += weight*values[k];
-            }
-        }
-        std::copy_n(sum, n, points_.data() + width_*pointi + blockSize*firstBlock);
+        sumPoint<n>
+        (
+            cells, width_, weights_.data(), parts_.data(), firstPart_[pointi], firstPart_[pointi + 1],
+            points_.data() + width_*pointi + blockSize*firstBlock
+        );
     }
 }
 
