@@ -18,6 +18,7 @@ matplotlib.use("Agg")
 import matplotlib.animation
 import matplotlib.pyplot as plt
 import numpy
+from matplotlib.collections import LineCollection
 
 from grainjet import fields
 
@@ -47,6 +48,7 @@ def main():
     figure, axes = plt.subplots(figsize=(11, 2.95), constrained_layout=True)
     draw = Frames(args, figure, axes)
     draw(times[0])
+    draw.fit()
     if args.animate is None:
         figure.savefig(args.output, dpi=200)
     else:
@@ -73,10 +75,10 @@ class Frames:
             self.drawn.remove()
         self.drawn = self.axes.tripcolor(z, x, triangles, speed, shading="gouraud", cmap="viridis", vmin=0, zorder=0)
         if self.fluid_time is None:
-            for side in (-0.5, 0.5):
-                self.axes.plot([z.min(), 0], [side, side], color="black", linewidth=1.5)
-            self.axes.set(xlabel="$z/D$", ylabel="$x/D$", aspect="equal", xlim=(z.min(), z.max()),
-                          ylim=(-self.args.radius, self.args.radius))
+            walls = fields.wall_lines(self.args.case, time)[:, :, [2, 0]]/D
+            self.axes.add_collection(LineCollection(walls, colors="black", linewidths=1.5))
+            radius = min(self.args.radius, abs(x).max())
+            self.axes.set(xlabel="$z/D$", ylabel="$x/D$", aspect="equal", xlim=(z.min(), z.max()), ylim=(-radius, radius))
             bar = self.figure.colorbar(self.drawn, ax=self.axes, label="fluid speed, m/s", shrink=0.95, pad=0.01)
             bar.set_ticks(numpy.arange(0, speed.max(), 2))
             self.highest = self.drawn.get_clim()[1]
@@ -85,13 +87,20 @@ class Frames:
         self.drawn.set_clim(0, self.highest)            # one scale for all frames
         self.fluid_time = found
 
+    def fit(self):
+        """A figure of the proportions of what is shown: 11 inches wide, but at most 7 high."""
+        (left, right), (low, high) = self.axes.get_xlim(), self.axes.get_ylim()
+        beside, above = 1.4, 0.9        # colour bar and labels, title and labels, in
+        width = min(11, beside + (7 - above)*(right - left)/(high - low))
+        self.figure.set_size_inches(width, above + (width - beside)*(high - low)/(right - left))
+
     def __call__(self, time):
         self.fluid(time)
         _, grains, _ = fields.grains_at(self.args.case/self.args.grains, time)
         D, half = self.args.diameter, 0.5*self.args.thickness
         shown = grains[abs(grains[:, 1]) < half*D]
         self.grains.set_data(shown[:, 2]/D, shown[:, 0]/D)
-        self.axes.set_title(f"Grains within {half:g} D of the plane $y = 0$ over fluid speed at {time:.3g} s")
+        self.axes.set_title(f"Fluid speed, and grains within {half:g} D of $y = 0$, at {time:.3g} s")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ The fields must be reconstructed; the case needs an (empty) file ending in `.foa
 
 import json
 import pathlib
+import re
 
 import numpy
 import vtk
@@ -21,7 +22,14 @@ def latest_mesh(case):
 
 def mesh_at(case, time):
     """The same of the written time nearest to `time`."""
-    case = pathlib.Path(case)
+    reader, chosen = _reader(pathlib.Path(case), time)
+    reader.CreateCellToPointOff()
+    reader.Update()
+    return chosen, reader.GetOutput().GetBlock(0)
+
+
+def _reader(case, time):
+    """(reader of the case set to the written time nearest to `time`, that time)"""
     marker = next(case.glob("*.foam"), None)
     if marker is None:
         raise FileNotFoundError(f"{case}: no file ending in .foam; `touch case.foam` makes one")
@@ -31,9 +39,7 @@ def mesh_at(case, time):
     times = vtk_to_numpy(reader.GetTimeValues())
     chosen = times[-1] if time > times[-1] else min(times, key=lambda written: abs(written - time))
     reader.SetTimeValue(chosen)
-    reader.CreateCellToPointOff()
-    reader.Update()
-    return chosen, reader.GetOutput().GetBlock(0)
+    return reader, chosen
 
 
 def axial_slice(grid, field, normal=(0, 1, 0), offset=1e-7):
@@ -56,6 +62,42 @@ def axial_slice(grid, field, normal=(0, 1, 0), offset=1e-7):
     corners = vtk_to_numpy(cut.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
     return (vtk_to_numpy(cut.GetPoints().GetData()), corners,
             vtk_to_numpy(cut.GetPointData().GetArray(field)))
+
+
+def wall_lines(case, time=float("inf"), normal=(0, 1, 0), offset=1e-7):
+    """The same plane cuts the patches of type wall in lines: their ends (n, 2, 3) in m, at the written time nearest to `time`."""
+    case = pathlib.Path(case)
+    boundary = (case/"constant/polyMesh/boundary").read_text(errors="replace")
+    walls = re.findall(r"(\w+)\s*\{[^{}]*\btype\s+wall\s*;", boundary)
+    reader, _ = _reader(case, time)
+    reader.DisableAllPatchArrays()
+    for name in walls:
+        reader.SetPatchArrayStatus(f"patch/{name}", 1)
+    reader.Update()
+    plane = vtk.vtkPlane()
+    plane.SetNormal(*normal)
+    plane.SetOrigin(*(offset*component for component in normal))
+    lines = [numpy.empty((0, 2, 3))]
+    for surface in _surfaces(reader.GetOutput()):
+        cutter = vtk.vtkCutter()
+        cutter.SetCutFunction(plane)
+        cutter.SetInputData(surface)
+        cutter.Update()
+        cut = cutter.GetOutput()
+        if cut.GetNumberOfLines():
+            ends = vtk_to_numpy(cut.GetLines().GetData()).reshape(-1, 3)[:, 1:]
+            lines.append(vtk_to_numpy(cut.GetPoints().GetData())[ends])
+    return numpy.concatenate(lines)
+
+
+def _surfaces(blocks):
+    """All surfaces in a tree of blocks."""
+    for i in range(blocks.GetNumberOfBlocks()):
+        block = blocks.GetBlock(i)
+        if isinstance(block, vtk.vtkMultiBlockDataSet):
+            yield from _surfaces(block)
+        elif isinstance(block, vtk.vtkPolyData):
+            yield block
 
 
 def at(grid, field, points):
