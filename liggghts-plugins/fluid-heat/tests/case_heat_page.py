@@ -28,7 +28,7 @@ class Page(HeatCase):
         """Numbers of the theory's table, to the digits printed, by the formulas beside it."""
         text = (grainjet.ROOT / "docs/theory-heat.md").read_text()
         rows = {name: [float(cell) for cell in cells.split("|")] for name, cells in
-                re.findall(r"^\| (`\w+`(?:, eps = [\d.]+)?)[^|]* \|((?: [\d.]+ \|){4} [\d.]+) \|$", text, re.M)}
+                re.findall(r"^\| (`\w+`(?:, \$\\varepsilon\$ = [\d.]+)?)[^|]* \|((?: [\d.]+ \|){4} [\d.]+) \|$", text, re.M)}
         cube = 0.7 ** (1 / 3)
 
         def gunn(re, eps):
@@ -37,7 +37,7 @@ class Page(HeatCase):
 
         laws = {"`ranzMarshall`": lambda re: 2 + 0.6 * re ** 0.5 * cube,
                 "`whitaker`": lambda re: 2 + (0.4 * re ** 0.5 + 0.06 * re ** (2 / 3)) * 0.7 ** 0.4,
-                "`gunn`, eps = 1": lambda re: gunn(re, 1), "`gunn`, eps = 0.4": lambda re: gunn(re, 0.4)}
+                r"`gunn`, $\varepsilon$ = 1": lambda re: gunn(re, 1), r"`gunn`, $\varepsilon$ = 0.4": lambda re: gunn(re, 0.4)}
         self.assertEqual(set(rows), set(laws))
         for name, row in rows.items():
             for value, number in zip(row, (0, 1, 10, 100, 1000)):
