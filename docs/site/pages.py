@@ -126,10 +126,10 @@ def linked(text, page, pages, root, pictures):
 
 
 def spaced(text):
-    """A text with an empty line before each list and table."""
+    """A text with an empty line before each list and table, but in code and formulas."""
     lines, code = [], False
     for line in text.splitlines():
-        if line.lstrip().startswith("```"):
+        if line.lstrip().startswith("```") or line == "$$":
             code = not code
         before = lines[-1] if lines else ""
         starts = (ITEM.match(line) and not before.startswith((" ", "- ", "* ")) and not ITEM.match(before)

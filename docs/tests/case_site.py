@@ -27,6 +27,8 @@ class Site(grainjet.Case):
             text = page.read_text()
             fetched = re.findall(r'<(?:script|link|img)[^>]*(?:src|href)="(https?:[^"]*)"', text)
             self.assertFalse([address for address in fetched if "canonical" not in address], page.name)
+            words = re.sub(r"(?s)<(pre|code|script)\b.*?</\1>", "", text)
+            self.assertFalse("$$" in words, f"{page.name}: a formula is not set")
             if page.name == "404.html":
                 continue
             for target, fragment in re.findall(r'<a [^>]*href="([^":#]*)#([^"]+)"', text):
