@@ -7,6 +7,9 @@
     run.py prepare WORK                   mesh and steady flow without grains
     run.py run WORK SUBSTEPS OUTER        the coupled run: the length of a sub-step stays that of quickJet;
                                           OUTER: outer correctors
+    run.py go-on WORK SUBSTEPS --case CASE --from TIME --length SECONDS
+                                          the same for another case with sub-steps that ran on several ranks: from one
+                                          of its written times on
     run.py table WORK                     what the finished runs have, as the table of the README
 
 Built Grainjet, its environment sourced. A run takes the ranks of quickJet's parameters, or those of --ranks."""
@@ -54,6 +57,23 @@ def run(work, n, outer):
     stage(folder, "coupled_stage", work/f"{folder.name}.log")
 
 
+def go_on(work, n, case, begin, length):
+    """From a written time of a case on, which is only read; the length of a sub-step stays the case's."""
+    p = check.parameters(case)
+    folder = work/f"n{n}o1"
+    folder.mkdir(parents=True)
+    for part in ("system", "constant"):
+        shutil.copytree(case/part, folder/part, symlinks=True)
+    for rank in range(int(p["ranks"])):
+        there, here = case/f"processor{rank}", folder/f"processor{rank}"
+        shutil.copytree(there/begin, here/begin)
+        (here/"constant").symlink_to((there/"constant").resolve())
+    end = float(begin) + length
+    dictionaries.put(folder/"system/parameters", fluidStep=f"{n*p['fluidStep']/p['subSteps']:.10g}", subSteps=str(n),
+                     sampleStart=begin, endTime=f"{end:.10g}", writeInterval=f"{length:.10g}")
+    stage(folder, 'launcher; "${mpi[@]}" pimpleFoam $parallel > log.pimpleFoam 2>&1', work/f"{folder.name}.log")
+
+
 def row(folder):
     """The cells of a line of each table: cost, statistics."""
     p = check.parameters(folder)
@@ -91,15 +111,20 @@ def table(work):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("prepare", "run", "table"))
+    parser.add_argument("what", choices=("prepare", "run", "go-on", "table"))
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("numbers", type=int, nargs="*")
     parser.add_argument("--ranks", type=int, default=0)
+    parser.add_argument("--case", type=pathlib.Path)
+    parser.add_argument("--from", dest="begin", metavar="TIME")
+    parser.add_argument("--length", type=float)
     args = parser.parse_args()
     if args.what == "prepare":
         prepare(args.work, args.ranks)
     elif args.what == "run":
         run(args.work, *args.numbers)
+    elif args.what == "go-on":
+        go_on(args.work, *args.numbers, args.case, args.begin, args.length)
     else:
         table(args.work)
 
