@@ -10,7 +10,7 @@
 /* The version of Grainjet, with which plugins, loader and coupling are stamped: parts of two
    versions hand each other data of different layout and refuse each other. This is the only place
    of the version: both builds and the packages read it here.                           */
-#define GRAINJET_VERSION "0.10.0"
+#define GRAINJET_VERSION "0.10.1"
 
 /* What to do where parts of two builds meet, for messages: fits a package and a folder that was built in */
 #define GRAINJET_ANEW "install Grainjet again, or run ./Allwmake where you built it"
