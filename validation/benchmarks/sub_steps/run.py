@@ -94,7 +94,7 @@ def row(folder):
     name = [n, f"{max(courant):.1f}", outer]
     seconds = [f"{balance[part].sum():.0f}" for part in ("secondsFluid", "secondsDEM", "secondsCoupling")]
     return (name + [str(len(solves)), str(sum(solves)), *seconds, f"{clock:.0f}"],
-            name + [means, rms, flows, f"{slip:.3f}", f"{100*change:.2f} %", f"{balance['imbalance'].max():.0e}"])
+            name + [means, rms, flows, f"{slip:.3f}", "-" if n == "1" else f"{100*change:.2f} %", f"{balance['imbalance'].max():.0e}"])
 
 
 def table(work):
