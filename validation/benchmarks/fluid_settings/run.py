@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Linear solvers, tolerances and correctors of the fluid, see README.md.
 
-    run.py prepare WORK SIZE              coupled flow to start from: quickJet (50,000 cells) or medium (640,032)
+    run.py prepare WORK SIZE              coupled flow to start from: quickJet (46,020 cells) or medium (640,032)
     run.py run WORK SIZE VARIANT ...      some fluid steps from it with other settings, those of variants.py; all: each
     run.py table WORK SIZE                what the finished ones took, and how far their fields are from tight tolerances
     run.py cut WORK SIZE                  slices along the axis against halves and quarters of them: faces between ranks

@@ -26,7 +26,7 @@ p { solver GAMG; smoother GaussSeidel; tolerance 1e-8; relTol 0.05; }
 }
 """
 # consistent, relaxation of p, U, k and epsilon
-METHODS = {"SIMPLE": ("no", 0.3, 0.7, 0.7), "SIMPLEC": ("yes", 1, 0.9, 0.8), "SIMPLEC 0.8": ("yes", 1, 0.8, 0.8),
+METHODS = {"SIMPLE": ("no", 0.3, 0.7, 0.7), "SIMPLEC": ("yes", 1, 0.9, 0.8), "SIMPLEC 0.8": ("yes", 1, 0.8, 0.8), "SIMPLEC 0.7": ("yes", 1, 0.7, 0.7),
            "SIMPLEC 0.95": ("yes", 1, 0.95, 0.95)}
 # along the axis and beside it, in D: from the pipe's middle to the end
 PLACES = [(0, z) for z in (-40, -30, -20, -10, -0.07, 0.1, 5, 10, 15, 20, 23)] + [(0.5, 10), (1, 20)]
