@@ -35,7 +35,7 @@ class Allrun(grainjet.Case):
     def killed_in_the_coupled_run(self, folder):
         """Start, wait for the first time that is kept, kill everything."""
         with grainjet.start([CASES/"Allrun", "Hardalupas1", "tiny"], self.folder, self.folder/"log", self.env) as job:
-            job.wait_for(lambda: list(folder.glob(f"0.*/{self.LAST}")), "a time")
+            job.wait_for(lambda: any(path.stat().st_size for path in folder.glob(f"0.*/{self.LAST}")), "a time")
             self.assertIsNone(job.process.poll(), "ended before it could be killed")
 
     def test_killed_continued_and_compared(self):

@@ -194,9 +194,8 @@ def costs(results):
                              f"{e['fluidSteps']:,.0f}", f"{e['demSteps']:,.0f}",
                              *(f"{e[part]:,.1f}" for part in ("fluid", "DEM", "coupling", "hours")),
                              f"{e['hours']/s['ranks']:.1f} on {s['ranks']}"))
-    return lines + ["", *sizes.spent(results, unit, stay), *scaling(results), "Lower bounds: nothing beyond two ranks was measured, the pressure solver needs more "
-                    "iterations on a finer mesh, the machine's caches hold less of it, and fluid steps of five sub-steps take 1.2 times as long as those "
-                    "that were measured, with one ([sub-steps](../benchmarks/sub_steps/README.md)). Count on twice the hours.", ""]
+    return lines + ["", *sizes.spent(results, unit, stay), *scaling(results), "Lower bounds: nothing beyond two ranks was measured, the pressure solver may need more "
+                    "iterations on a finer mesh, and the machine's caches hold less of it. Count on twice the hours for size full.", ""]
 
 
 def scaling(results):
