@@ -71,7 +71,6 @@ class HeatBalance(heat_box.HeatCase):
                 folder = self.run_hot(solver=solver, energy=energy, transonic=transonic, walls=walls, steps=120, write_every=60,
                                       dump_every=600, cells="5 5 10")
                 off, table = self.unbalanced(folder, ("0.006", "0.012"), (1, 2), energy)
-                begin, _ = self.unbalanced(folder, ("0.006", "0.012"), (1, 2), energy)
                 T = numpy.concatenate([list(heat_box.temperatures(folder / "grains.dump").values()), field(folder / "0.012/T")])
                 expected = self.common(folder, "0.012")
                 print(f"{solver} {energy}: energy {off:.1e} of what was exchanged, table {max(table['energyImbalance']):.1e}; "
