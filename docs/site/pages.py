@@ -63,6 +63,8 @@ STYLE = """\
 .md-typeset td code { word-break: normal; overflow-wrap: normal; }
 .md-typeset img { max-height: 40rem; }
 div.arithmatex { overflow-x: auto; overflow-y: hidden; }
+.katex { position: relative; }
+.md-typeset :is(h1, h2, h3) { overflow-wrap: anywhere; }
 """
 # arithmatex writes a formula as text between \( and \), or \[ and \]
 FORMULAS = """\
