@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """docs/build-site makes the web pages without a warning, and they need no connection."""
 
+import json
 import pathlib
 import re
 import shutil
@@ -22,7 +23,13 @@ class Site(grainjet.Case):
         pages = list(site.rglob("*.html"))
         self.assertLessEqual({site / "index.html", site / "docs/fix_hertz_cg.html", site / "cases/index.html",
                               site / "validation/index.html"}, set(pages))
-        self.assertTrue((site / "search/search_index.json").is_file())
+        # guides come first in the search: the index has their weight, its reader takes it
+        entries = json.loads((site / "search/search_index.json").read_text())["docs"]
+        weighed = {entry["location"].partition("#")[0] for entry in entries if entry.get("boost", 1) > 1}
+        self.assertLessEqual({"docs/troubleshooting.html", "docs/choosing.html", "docs/tutorial.html", "docs/tutorial_nozzle.html"}, weighed)
+        self.assertFalse([name for name in weighed if "fix_" in name or "theory" in name or name.startswith("validation")])
+        reader, = site.glob("assets/javascripts/workers/search.*.js")
+        self.assertRegex(reader.read_text(), r"this\.add\((\w+),\{boost:\1\.boost")
         for page in pages:
             text = page.read_text()
             fetched = re.findall(r'<(?:script|link|img)[^>]*(?:src|href)="(https?:[^"]*)"', text)
