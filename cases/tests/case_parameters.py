@@ -6,6 +6,7 @@ to wrong entries. Nothing is run."""
 
 import json
 import math
+import runpy
 import unittest
 
 import grainjet
@@ -103,6 +104,21 @@ class Derived(unittest.TestCase):
                 s = self.table.run(name, size)
                 smallest = min(s["diameters"])/s["dParticle"]
                 self.assertLess(s["percentRayleigh"]/smallest, 20, f"{name} {size}")
+
+    def test_nothing_that_the_table_makes_is_refused(self):
+        """By the limits of quickJet's particleInput on times and on the plate."""
+        particle_input = runpy.run_path(str(CASES/"quickJet"/"particleInput"))
+
+        class Settings(dict):
+            word = dict.__getitem__
+
+        for size in self.table.sizes:
+            for name in [*self.table.cases, *(r for s in self.table.studies.values() for r in s["run"])]:
+                run = self.table.run(name, size)
+                for settings in (run, self.table.coarse(run)):
+                    if settings:
+                        particle_input["check_times"](Settings(settings))
+                        particle_input["check_plate"](Settings(settings))
 
 
 class Generated(grainjet.Case):

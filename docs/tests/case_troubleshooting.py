@@ -64,6 +64,7 @@ class Troubleshooting(unittest.TestCase):
                      "is given twice; state it once",                                  # LIGGGHTS
                      "the compiler '...' is not there",                                # shell
                      "reads no TOML: install the package python3-tomli",               # Python
+                     "reaches beyond the box of grains, boxRadius =",                  # Python without .py
                      "has no line like: #define GRAINJET_VERSION"):                    # CMake
             self.assertTrue(any(text in other for other in texts), text)
         self.assertGreater(sum(message.is_sentence() for message in self.said), 400)

@@ -71,7 +71,8 @@ class ColdSpray(grainjet.Case):
         case = copy(self.folder)
         for name, value, words in (("insertionPlace", 0.01, "must lie in the contraction"), ("insertionRadius", 0.01, "larger than the nozzle"),
                                    ("throatDiameter", 0.006, "smaller than inletDiameter and exitDiameter"),
-                                   ("lipDiameter", 0.003, "between exitDiameter and"), ("standOff", 0, "standOff must be larger than 0")):
+                                   ("lipDiameter", 0.003, "between exitDiameter and"), ("standOff", 0, "standOff must be larger than 0"),
+                                   ("writeInterval", 0.002, "make endTime 0.002, or writeInterval one that divides it")):
             shutil.copy(COLD/"system"/"parameters", case/"system")
             dictionaries.put(case/"system"/"parameters", **{name: value})
             self.assertFails(grainjet.run(["./particleInput"], case), words)

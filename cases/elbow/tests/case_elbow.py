@@ -42,7 +42,8 @@ class Elbow(grainjet.Case):
         shutil.copytree(ELBOW/"system", case/"system")
         shutil.copy(ELBOW/"particleInput", case)
         for name, value, words in (("nBend", 20, "multiple of 6, not 20"), ("bendRadius", 0.4, "larger than 0.5"),
-                                   ("insertionLength", 9, "between 0 and inletLength")):
+                                   ("insertionLength", 9, "between 0 and inletLength"), ("endTime", 0.003, "endTime = 0.003 s must be a multiple"),
+                                   ("ranks", 0, "ranks must be a whole number")):
             shutil.copy(ELBOW/"system"/"parameters", case/"system")
             dictionaries.put(case/"system"/"parameters", **{name: value})
             self.assertFails(grainjet.run(["./particleInput"], case), words)

@@ -64,7 +64,8 @@ class FluidBed(grainjet.Case):
         self.assertIn("grains: 2195 of 2195", grainjet.run(["./bedResults"], case).output)
 
     def test_bad_numbers_end_the_job_with_a_message(self):
-        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart", "endTime")),
+        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart = 1 s must lie before endTime",)),
+                             ({"endTime": 0.35}, ("endTime = 0.35 s must be a multiple of writeInterval = 0.1 s", "make endTime 0.4")), ({"ranks": 0.5}, ("ranks must be",)),
                              ({"drag": "Gidaspov"}, ("Gidaspov", "log.pimpleFoam"))):
             with self.subTest(entry=entry):
                 folder = self.new_folder()

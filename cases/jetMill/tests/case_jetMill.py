@@ -69,7 +69,8 @@ class JetMill(grainjet.Case):
         self.assertAlmostEqual(float((case/"postProcessing/collisions/mill.csv").read_text().splitlines()[1].split(",")[4]), 0.0015, delta=1e-6)
 
     def test_bad_numbers_end_the_job_with_a_message(self):
-        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart", "endTime")),
+        for entry, words in (({"nParticles": 0}, ("nParticles",)), ({"sampleStart": 1}, ("sampleStart = 1 s must lie before endTime",)),
+                             ({"endTime": 0.001}, ("endTime = 0.001 s must be a multiple of writeInterval = 0.0009 s", "make endTime 0.0018")), ({"ranks": 0.5}, ("ranks must be",)),
                              ({"stagnationPressure": "1.5e5"}, ("stagnationPressure must be 208222 Pa", "clearly supersonic")),
                              ({"nozzleHeight": 0.2}, ("nozzleHeight", "wall of the chamber"))):
             with self.subTest(entry=entry):

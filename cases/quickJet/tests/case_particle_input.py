@@ -120,6 +120,16 @@ class ParticleInput(grainjet.Case):
         """
         self.liggghts(script)
 
+    def test_times(self):
+        """Round-off is borne, and half a fluid step, since OpenFOAM writes at the nearest step. With a plate no grains are counted at
+        sampleStart, which may lie anywhere before endTime."""
+        for changes in ({"sampleStart": 0.0601, "endTime": 0.1199}, {"writeInterval": 0.1/3, "sampleStart": 0.1, "endTime": 0.2},
+                        {"writeInterval": 1e-3*math.pi, "sampleStart": f"{7e-3*math.pi:.10g}", "endTime": f"{0.9*math.pi:.10g}"},
+                        {"sampleStart": 0, "endTime": 0.02, "writeInterval": 0.02},
+                        {"endPatch": "plate", "writeInterval": 0.02, "sampleStart": 0.07, "endTime": 0.12, "plateRadius": 8}):
+            with self.subTest(changes):
+                self.make(**changes)
+
     def test_wrong_entries(self):
         path = self.folder/"system"/"parameters"
         good = path.read_text()
@@ -131,7 +141,19 @@ class ParticleInput(grainjet.Case):
                 ("diameters       (80e-6);", "diameters 80e-6;", ("diameters must be a list", "'8e-05'")),
                 ("couplingInterval 10;", "couplingInterval 0;", ("couplingInterval must be larger than 0",)),
                 ("subSteps        5;", "subSteps 1;", ("2.5e-05 s is 74 %", "Rayleigh time of a grain, 3.36e-05 s", "at least 38")),
-                ("dParticle       80e-6;", "dParticle { 80e-6;", ("parameters",))):
+                ("dParticle       80e-6;", "dParticle { 80e-6;", ("parameters",)),
+                ("ranks           2;", "ranks 0;", ("ranks must be a whole number, 1 or more, not 0",)),
+                ("ranks           2;", "ranks 1.5;", ("ranks must be a whole number, 1 or more, not 1.5",)),
+                ("writeInterval   0.02;", "writeInterval 0;", ("writeInterval must be larger than 0",)),
+                # a run that ends before or when the sampling begins, or whose end or beginning of sampling is not written
+                ("endTime         0.12;", "endTime 0.05;", ("sampleStart = 0.06 s", "before endTime = 0.05 s", "endTime 0.08 or more", "writeInterval = 0.02")),
+                ("endTime         0.12;", "endTime 0.06;", ("sampleStart = 0.06 s", "before endTime = 0.06 s", "endTime 0.08 or more")),
+                ("sampleStart     0.06;", "sampleStart -0.02;", ("sampleStart must be 0 or more, not -0.02",)),
+                ("endTime         0.12;", "endTime 0.11;", ("endTime = 0.11 s must be a multiple of writeInterval = 0.02 s", "make endTime 0.12")),
+                ("writeInterval   0.02;", "writeInterval 0.2;", ("endTime = 0.12 s must be a multiple of writeInterval = 0.2 s", "make endTime 0.2")),
+                ("sampleStart     0.06;", "sampleStart 0.07;", ("sampleStart = 0.07 s must be a multiple of writeInterval = 0.02 s", "make it 0.08")),
+                ("sampleStart     0.06;", "sampleStart 0.11;", ("sampleStart = 0.11 s must be a multiple", "make it 0.1, or writeInterval smaller")),
+                ("endPatch        outlet;", "endPatch plate; boxRadius 3;", ("plateRadius = 3.5", "boxRadius = 3 ", "make plateRadius 3 or less"))):
             with self.subTest(new):
                 path.write_text(good)
                 dictionaries.change(path, (old, new))

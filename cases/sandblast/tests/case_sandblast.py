@@ -58,6 +58,8 @@ class Sandblast(grainjet.Case):
         self.assertFails(self.allrun(case, "vertical"), "no run 'vertical'", "normal-jetKEpsilon")
         dictionaries.put(case/"system"/"parameters", angle=5)
         self.assertFails(grainjet.run(["./particleInput"], case), "angle must lie between 20 and 90 degrees, not 5")
+        dictionaries.put(case/"system"/"parameters", angle=90, endTime=0.001)
+        self.assertFails(grainjet.run(["./particleInput"], case), "endTime = 0.001 s must be a multiple of writeInterval = 0.002 s", "make endTime 0.002")
 
 
 if __name__ == "__main__":

@@ -87,7 +87,7 @@ def fill(work, filled, cg):
     p = parameters(job)
     finer = p["cg"]/cg          # smaller grains need shorter DEM steps, in proportion
     # DPMFoam solves the fluid as often as it exchanges momentum with the grains
-    dictionaries.put(job/"system"/"parameters", fluidStep=f"{p['fluidStep']/p['subSteps']:.10g}", subSteps=1, endTime=filled, writeInterval=filled, cg=f"{cg:g}",
+    dictionaries.put(job/"system"/"parameters", fluidStep=f"{p['fluidStep']/p['subSteps']:.10g}", subSteps=1, cg=f"{cg:g}",
         couplingInterval=round(finer*p["couplingInterval"]),
         insertionInterval=round(finer*p["insertionInterval"]))
     dictionaries.put(job/"system"/"controlDict", writeFormat="ascii", writePrecision=17)
@@ -98,6 +98,8 @@ def fill(work, filled, cg):
         raise SystemExit(f"{control}: no function object 'profiles' to take out")
     control.write_text(text)
     done(["./particleInput"], job, "log.particleInput")
+    # not before: nothing is sampled, and particleInput wants a time of sampling in the run
+    dictionaries.put(job/"system"/"parameters", endTime=filled, writeInterval=filled)
     done(["blockMesh"], job, "log.blockMesh")
     shutil.copytree(job/"0.orig", job/"0")
     (job/"spinUp"/"0").symlink_to("../0")

@@ -73,10 +73,12 @@ def prepare(work, size):
 
 def begin(folder, end, work):
     """The coupled flow up to a time, without what this study changes."""
-    until(folder, end)
     dictionaries.put(folder/"system/parameters", ranks="1")
     dictionaries.write(folder/"system/fvSolution", variants.solution({}))
-    stage(folder, "mesh_stage; steady_stage; coupled_stage", work/f"{folder.name}.log")
+    stage(folder, "mesh_stage", work/f"{folder.name}.mesh.log")
+    # not before: nothing is sampled, and particleInput wants a time of sampling in the run
+    until(folder, end)
+    stage(folder, "steady_stage; coupled_stage", work/f"{folder.name}.log")
 
 
 def mapped(coarse, folder, work):
@@ -84,10 +86,10 @@ def mapped(coarse, folder, work):
     is the first thing that the pressure sees."""
     time = latest(coarse)
     step = check.parameters(folder)["fluidStep"]
-    until(folder, float(time) + SETTLE*step, SETTLE*step)
     dictionaries.put(folder/"system/parameters", ranks="1")
     dictionaries.write(folder/"system/fvSolution", variants.solution(variants.VARIANTS["chosen"]))
     stage(folder, "mesh_stage", work/f"{folder.name}.log")
+    until(folder, float(time) + SETTLE*step, SETTLE*step)
     shutil.copytree(folder/"0.orig", folder/time)
     programs.done(["mapFields", coarse, "-consistent", "-sourceTime", time, "-mapMethod", "interpolate"], folder,
                   folder/"log.mapFields")

@@ -40,12 +40,15 @@ def prepare(folder, time):
     """The jet on one rank, its grains along all of it."""
     shutil.copytree(grainjet.ROOT/"cases/quickJet", folder, ignore=shutil.ignore_patterns("tests", "processor*", "results", "[1-9]*"))
     grainjet.run(["./Allclean"], folder)
-    dictionaries.put(folder/"system/parameters", ranks=1, endTime=time, writeInterval=time/5)
+    dictionaries.put(folder/"system/parameters", ranks=1)
     options = folder/"system/fvOptions"
     options.write_text(options.read_text().replace(
         "    turbulenceSources none;", f"    turbulenceSources none;\n\n    decompositionWeights {{ grainCost {COST}; }}"))
-    stages = f". {grainjet.ROOT}/cases/common/job.sh; set -eu; root={grainjet.ROOT}; mesh_stage; steady_stage; pimpleFoam > log.pimpleFoam"
-    done(["bash", "-c", stages], folder, "log.stages")
+    job = f". {grainjet.ROOT}/cases/common/job.sh; set -eu; root={grainjet.ROOT}"
+    done(["bash", "-c", f"{job}; mesh_stage"], folder, "log.mesh")
+    # not before: nothing is sampled, and particleInput wants a time of sampling in the run
+    dictionaries.put(folder/"system/parameters", endTime=time, writeInterval=time/5)
+    done(["bash", "-c", f"{job}; steady_stage; pimpleFoam > log.pimpleFoam"], folder, "log.stages")
 
 
 def ratio(values):

@@ -137,4 +137,6 @@ def of_file(path) -> Iterator[Message]:
     if path.suffix not in ("", ".sh"):
         return iter(())
     text = path.read_text()
+    if text.startswith("#!/usr/bin/python3"):
+        return of_python(text, name)
     return of_shell(text, name) if text.startswith(("#!/bin/bash", "#!/bin/sh", "# ")) else iter(())
