@@ -85,6 +85,23 @@ void Foam::couplingLog::miss(const scalar unaccounted)
 }
 
 
+void Foam::couplingLog::warnOfDemStep(const scalar rayleigh)
+{
+    // In % of the Rayleigh time, as the paper keeps it; -1 if the script does not provide it
+    const scalar longest = 20;
+
+    if (!warnedOfDemStep_ && rayleigh > longest)
+    {
+        warnedOfDemStep_ = true;
+        WarningInFunction
+            << "The DEM step is " << rayleigh << " % of the Rayleigh time of a grain, more than " << longest
+            << " %: contacts are resolved badly and may make energy. Shorten timestep in the script, with a"
+            << " couplingInterval that is larger by the same factor, or lower Young's modulus."
+            << " This is said once" << endl;
+    }
+}
+
+
 void Foam::couplingLog::writeTableHeader()
 {
     OFstream& os = file();
@@ -177,6 +194,7 @@ Foam::couplingLog::couplingLog
     full_(full),
     warned_(false),
     missed_(false),
+    warnedOfDemStep_(false),
     leftBox_(0),
     deleted_(0),
     clock_(),
@@ -258,6 +276,7 @@ void Foam::couplingLog::write(const step& values)
     const scalar unaccounted =
         values.counts.inserted - leftBox_ - deleted_ - values.counts.present;
     miss(unaccounted);
+    warnOfDemStep(values.counts.rayleigh);
 
     const scalar slip = values.meanSlip();
     const vector& toGrains = values.received.reacting;

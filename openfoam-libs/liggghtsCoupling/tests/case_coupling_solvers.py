@@ -7,6 +7,7 @@
 
 import math
 import os
+import re
 import unittest
 
 import grainjet
@@ -113,6 +114,22 @@ class Solvers(box.CoupledCase):
         volume = 2 * 3.14159265 / 6 * 1.2e-3 ** 3
         self.assertAlmostEqual(box.read_balance(folder)["volumeCut"][0], volume - 0.1 * 8e-9,
                                delta=1e-5 * volume)
+
+    def test_long_dem_steps_are_announced_once(self):
+        """A step of 1e-5 s: 16 % of the Rayleigh time of grains of 1 mm and 33 % of those half as large, which has one warning with
+        the number of the log, on any number of ranks. None if no fix hertz/cg of the script knows the Rayleigh time."""
+        hertz = "plugin load hertzcgplugin.so\nfix contacts all hertz/cg tangential history rolling off"
+        x = [(0.005, 0.005, 0.01), (0.015, 0.015, 0.03)]
+        for ranks, diameter, fixes, percent in ((0, 1e-3, hertz, None), (0, 5e-4, hertz, "32.68"), (2, 5e-4, hertz, "32.68"), (0, 5e-4, "", None)):
+            with self.subTest(ranks=ranks, diameter=diameter, fixes=fixes):
+                self.run_box(ranks, steps=3, cells="4 4 8", grains=(x, [(0, 0, 0)] * 2), diameter=diameter, fixes=fixes)
+                output = self.result.output
+                self.assertEqual(output.count("The DEM step is"), 1 if percent else 0, output)
+                if percent:
+                    said = re.search(r"The DEM step is (\S+) % of the Rayleigh time", output)[1]
+                    self.assertEqual(said, percent)
+                    self.assertEqual(output.count(f" Rayleigh {said} %"), 3)
+                    self.assertIn("couplingInterval", output[output.index("The DEM step is"):])
 
 
 class TurbulenceSources(box.CoupledCase):
