@@ -72,6 +72,14 @@ def draw_map(axes, surface, values, look=(0, 0, -1), up=(0, 1, 0), length=1.0, n
     return drawn
 
 
+def axis_name(direction):
+    """What an axis of the picture shows: a coordinate, or the direction in which it points."""
+    for name, component in zip("xyz", direction):
+        if abs(component) > 1 - 1e-9:
+            return name if component > 0 else f"-{name}"
+    return "along ({:.2g} {:.2g} {:.2g})".format(*(numpy.round(direction, 9) + 0.0))
+
+
 def averaged(surface, values, radius):
     """Means over the triangles whose centres lie within a radius [m] of each one's, weighted by area; without those that have no
     value. For quantities per area and means: the noise of few hits on small triangles goes, what is wider than the radius stays."""
@@ -174,11 +182,14 @@ def main():
     print(f"largest {args.field}: {top:.4g}{plain} at ({place[0]:.5g} {place[1]:.5g} {place[2]:.5g}) m")
     figure.colorbar(drawn, ax=axes, label=args.field.replace("_", " ") + (f", {unit_text}" if unit_text else ""), shrink=0.8)
     lengths = {1e-3: "mm", 1.0: "m"}.get(args.length, f"{args.length:g} m")
-    axes.set(xlabel=lengths, ylabel=lengths)
+    axes.set(xlabel=f"{axis_name(right)}, {lengths}", ylabel=f"{axis_name(upwards)}, {lengths}")
+    figure.suptitle(args.field.replace("_", " ") + (f", mean within {args.average/args.length:g} {lengths}" if args.average else "")
+                    + f"\n{args.surface.name}" + (f" at {surface.time:.6g} s" if surface.time is not None else ""), fontsize="medium")
     for i, (name, rows) in enumerate(spectra.items()):
         draw_spectrum(figure.add_subplot(grid[i % 2, 1 + i//2]), rows, name)
     args.output.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(args.output, dpi=150)
+    # constrained_layout alone cuts labels of narrow pictures
+    figure.savefig(args.output, dpi=150, bbox_inches="tight")
     print(f"written: {args.output}")
     return 0
 

@@ -6,6 +6,8 @@
 import re
 import unittest
 
+import matplotlib.image
+
 import grainjet
 from grainjet import scripts, surfaces
 
@@ -64,6 +66,23 @@ class SurfacePicture(grainjet.Case):
         self.assertTrue((self.folder / "pictures" / "plate.png").read_bytes().startswith(b"\x89PNG"))
         listed = self.draw("plate.vtk", "--list")
         self.assertIn("wear_volume", listed.output)
+
+    def test_labels(self):
+        """Axes have names, above stand quantity, file and time, which is that of the last step, and nothing reaches the edge of the picture.
+        SVG files have what is written in comments."""
+        self.thrown("vtp")
+        for words, expected in (
+                (("--average", "2e-3"), ("x, mm", "y, mm", "wear depth, mean within 2 mm", "plate.vtp at 8e-05 s")),
+                (("--look", "0", "0", "1", "--length", "1", "--field", "wear_volume"), ("-x, m", "y, m", "wear volume")),
+                (("--look", "1", "0", "-1", "--up", "0", "0", "1"), ("-y, mm", "along (0.71 0 0.71), mm"))):
+            with self.subTest(words=words):
+                self.assertEqual(self.draw("plate.vtp", *words, "--output", "plate.svg").code, 0)
+                written = re.findall("<!-- (.*?) -->", (self.folder / "plate.svg").read_text())
+                self.assertLessEqual(set(expected), set(written))
+        self.assertEqual(self.draw("plate.vtp").code, 0)
+        pixels = matplotlib.image.imread(self.folder / "surface.png")[..., :3]
+        for edge in (pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]):
+            self.assertEqual(edge.min(), 1)
 
     def test_average_and_largest(self):
         """Four equal triangles: within 1 mm each has only itself, within 10 mm all have the mean, which is the removed volume over the area."""

@@ -11,7 +11,8 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 
 class Surface:
-    """points (n, 3), triangles (m, 3) as indices of points, and values: name -> (m,) or (m, k) per triangle."""
+    """points (n, 3), triangles (m, 3) as indices of points, values: name -> (m,) or (m, k) per triangle, and the time in s, None if
+    the file does not say it."""
 
     def __init__(self, path):
         path = pathlib.Path(path)
@@ -34,6 +35,8 @@ class Surface:
         if len(cells) != 3 * data.GetNumberOfPolys():
             raise ValueError(f"{path}: holds polygons other than triangles")
         self.triangles = cells.reshape(-1, 3)
+        time = data.GetFieldData().GetArray("TimeValue")
+        self.time = time.GetValue(0) if time else None
         arrays = data.GetCellData()
         self.values = {arrays.GetArrayName(i): vtk_to_numpy(arrays.GetArray(i)) for i in range(arrays.GetNumberOfArrays())}
 
