@@ -53,6 +53,16 @@ class Site(grainjet.Case):
         self.assertGreater(len(used), 30)
         self.assertEqual({name for name in used if f'"\\\\{name}"' not in known}, set())
 
+    def test_help(self):
+        """Nothing is made."""
+        for word in ("--help", "-h"):
+            result = grainjet.run([str(grainjet.ROOT / "docs/build-site"), word], self.folder)
+            self.assertEqual(result.code, 0, result)
+            self.assertIn("Usage: docs/build-site [folder]", result.output)
+            self.assertIn("by default in build/site", result.output)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertFails(grainjet.run([str(grainjet.ROOT / "docs/build-site"), "--helper"], self.folder), "unknown arguments: --helper")
+
     def test_a_folder_with_other_files_is_kept(self):
         (self.folder / "site").mkdir()
         (self.folder / "site/mine").write_text("mine")
