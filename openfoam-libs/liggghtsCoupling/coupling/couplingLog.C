@@ -95,8 +95,9 @@ void Foam::couplingLog::warnOfDemStep(const scalar rayleigh)
         warnedOfDemStep_ = true;
         WarningInFunction
             << "The DEM step is " << rayleigh << " % of the Rayleigh time of a grain, more than " << longest
-            << " %: contacts are resolved badly and may make energy. Shorten timestep in the script, with a"
-            << " couplingInterval that is larger by the same factor, or lower Young's modulus."
+            << " %: contacts may have too few steps, so that they lose less energy than they should or make some."
+            << " Shorten timestep in the script, with a couplingInterval that is larger by the same factor, or lower"
+            << " Young's modulus."
             << " This is said once" << endl;
     }
 }
