@@ -68,8 +68,8 @@ class Derived(unittest.TestCase):
         """0, halves and numbers of floating point: an error that names the run and the entry."""
         for wrong in (0, 2.5, 5.0):
             self.table.data["defaults"]["subSteps"] = wrong
-            with self.assertRaisesRegex(table.TableError, "Lau1: subSteps = .* must be a whole number from 1 on"):
-                self.table.run("Lau1", "quick")
+            with self.assertRaisesRegex(table.TableError, "Lau2: subSteps = .* must be a whole number from 1 on"):
+                self.table.run("Lau2", "quick")
 
     def test_sizes(self):
         """Within the range, number mean the nominal diameter, fractions of the mass that add to 1."""
