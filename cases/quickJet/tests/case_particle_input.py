@@ -153,6 +153,9 @@ class ParticleInput(grainjet.Case):
                 ("writeInterval   0.02;", "writeInterval 0.2;", ("endTime = 0.12 s must be a multiple of writeInterval = 0.2 s", "make endTime 0.2")),
                 ("sampleStart     0.06;", "sampleStart 0.07;", ("sampleStart = 0.07 s must be a multiple of writeInterval = 0.02 s", "make it 0.08")),
                 ("sampleStart     0.06;", "sampleStart 0.11;", ("sampleStart = 0.11 s must be a multiple", "make it 0.1, or writeInterval smaller")),
+                # 20 steps of 5e-6 s at 11.94 m/s against a fourth of 4 mm, and a disc before the inlet
+                ("D               0.015;", "D 0.004;", ("take 1.19 mm", "= 1 mm", "make insertionLength 9.701 or less", "insertionInterval smaller")),
+                ("pipeLength      10;", "pipeLength 5;", ("take 1.19 mm", "make insertionLength 4.92 or less")),
                 ("endPatch        outlet;", "endPatch plate; boxRadius 3;", ("plateRadius = 3.5", "boxRadius = 3 ", "make plateRadius 3 or less"))):
             with self.subTest(new):
                 path.write_text(good)
