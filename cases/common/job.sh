@@ -166,9 +166,10 @@ steady_stage()
     echo "Steady flow without grains: up to $iterations iterations of $solver on $ranks ranks"
     "${mpi[@]}" "$solver" -case spinUp $parallel > "$log" 2>&1 &
     following "$log" "$iterations" "steady flow"
-    # a flow that has diverged may end as a converged one: residuals are relative
+    # A flow that has diverged may end as a converged one: residuals are relative. 1e5/s in the mean is a hundred m/s too many over
+    # each mm, far beyond any flow that these cases have
     continuity=$(sed -n 's/^time step continuity errors : sum local = \([^,]*\),.*/\1/p' "$log" | tail -n 1)
-    [[ "$continuity" != *[ni]* ]] && awk -v sum="${continuity:-0}" 'BEGIN { exit !(sum < 1) }' ||
+    [[ "$continuity" != *[ni]* ]] && awk -v sum="${continuity:-0}" 'BEGIN { exit !(sum < 1e5) }' ||
         fail "the steady flow has diverged (continuity errors of $continuity), see $PWD/$log"
     [ -z "$parallel" ] || run log.reconstructPar.spinUp "Its fields are the start of the coupled run" \
         reconstructPar -case spinUp -latestTime

@@ -106,7 +106,7 @@ class Derived(unittest.TestCase):
                 self.assertLess(s["percentRayleigh"]/smallest, 20, f"{name} {size}")
 
     def test_nothing_that_the_table_makes_is_refused(self):
-        """By the limits of quickJet's particleInput on times and on the plate."""
+        """By the limits of quickJet's particleInput on times, the plate and room for an insertion."""
         particle_input = runpy.run_path(str(CASES/"quickJet"/"particleInput"))
 
         class Settings(dict):
@@ -119,6 +119,7 @@ class Derived(unittest.TestCase):
                     if settings:
                         particle_input["check_times"](Settings(settings))
                         particle_input["check_plate"](Settings(settings))
+                        particle_input["check_insertion"](Settings(settings))
 
 
 class Generated(grainjet.Case):

@@ -47,7 +47,7 @@ STEADY = f'set -eu -o pipefail; root={grainjet.ROOT}; . "$root/cases/common/job.
 class QuickJet(grainjet.Case):
 
     def test_steady_start_on_coarse_meshes(self):
-        """The flow without grains has the bulk velocity in the pipe, and nothing in it is faster than the axis of a laminar pipe, 2 U."""
+        """It ends, and the largest velocity lies between the bulk velocity and that on the axis of a laminar pipe, twice as much."""
         for mesh in COARSE:
             with self.subTest(mesh):
                 case = self.new_folder()/"quickJet"
@@ -65,7 +65,7 @@ class QuickJet(grainjet.Case):
         """A solver that ends well, as a diverged one may, whose last mass balance is out of all bounds or no number."""
         case = shrunk_copy(self.new_folder())
         dictionaries.put(case/"system"/"parameters", ranks=1)
-        for sum_local in ("1.40702e+30", "2.5", "nan", "-nan", "inf"):
+        for sum_local in ("1.40702e+30", "2.5e+05", "nan", "-nan", "inf"):
             with self.subTest(sum_local):
                 solver = f"simpleFoam() {{ echo 'time step continuity errors : sum local = {sum_local}, global = 1, cumulative = 1'; }}; "
                 job = grainjet.run(["bash", "-c", solver + STEADY.replace("mesh_stage; ", "")], case)
